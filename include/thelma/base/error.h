@@ -1,0 +1,51 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace thelma
+{
+
+/// Exit codes of the program (README, "Exit codes").
+enum class ExitCode { success = 0, bad_input = 1, expectation_failed = 2, not_converged = 3 };
+
+/// The user asked for something impossible; what() is one sentence that names the place, the value
+/// and the remedy. Thrown by every rank alike, so that the program ends everywhere with exit code 1.
+class InputError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// `a, b, c`, the tail of every "known ones are" sentence.
+std::string comma_separated(const std::vector<std::string>& words);
+
+/// Run @p action on rank 0 alone and let every rank throw the InputError it may have thrown.
+template <typename Action>
+void on_rank_0(Action action);
+
+} // namespace thelma
+
+#include <deal.II/base/mpi.h>
+
+namespace thelma
+{
+
+template <typename Action>
+void on_rank_0(Action action)
+{
+  std::string complaint;
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0) {
+    try {
+      action();
+    } catch (const InputError& error) {
+      complaint = error.what();
+    }
+  }
+  complaint = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, complaint);
+  if (!complaint.empty())
+    throw InputError(complaint);
+}
+
+} // namespace thelma

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <thelma/base/parameters.h>
+#include <thelma/materials/ideal_dielectric.h>
+#include <thelma/materials/material.h>
+#include <thelma/materials/neo_hookean.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace thelma
+{
+
+/// The laws a .prm can choose: one page and one name here each. The derivative test runs over
+/// every combination by itself.
+using ElasticLaws = std::tuple<NeoHookean>;
+using DielectricLaws = std::tuple<IdealDielectric>;
+
+/// Call @p visit(static_cast<ComposedMaterial<E, D>*>(nullptr), name of E, name of D) for each E, D.
+template <typename Visitor>
+void for_each_material(const Visitor& visit)
+{
+  const auto with_elastic = [&](auto elastic) {
+    using E = decltype(elastic);
+    const auto with_dielectric = [&](auto dielectric) {
+      using D = decltype(dielectric);
+      visit(static_cast<ComposedMaterial<E, D>*>(nullptr), E::name, D::name);
+    };
+    std::apply([&](auto... law) { (with_dielectric(law), ...); }, DielectricLaws());
+  };
+  std::apply([&](auto... law) { (with_elastic(law), ...); }, ElasticLaws());
+}
+
+std::vector<std::string> elastic_law_names();
+std::vector<std::string> dielectric_law_names();
+
+/// Materials by name, and which one fills each named region of the mesh.
+class MaterialLibrary
+{
+public:
+  /// Reads the choices of @p file leniently and builds the materials they name.
+  explicit MaterialLibrary(const ParameterFile& file);
+
+  void declare(dealii::ParameterHandler& prm);
+
+  /// Throws InputError for moduli that make no sense at @p theta.
+  void check(double theta) const;
+
+  const Material& of_region(const std::string& region) const;
+  const Material& named(const std::string& name) const;
+  std::vector<std::string> regions() const;
+
+private:
+  struct Entry {
+    std::string elastic = NeoHookean::name, dielectric = IdealDielectric::name;
+    std::unique_ptr<Material> material;
+  };
+
+  void declare_regions(dealii::ParameterHandler& prm);
+  static void declare_laws(dealii::ParameterHandler& prm, const std::string& name, Entry& entry);
+
+  std::map<std::string, std::string> material_of_region;
+  std::map<std::string, Entry> materials;
+};
+
+} // namespace thelma

@@ -1,0 +1,171 @@
+#pragma once
+
+#include <thelma/materials/point.h>
+#include <thelma/materials/thermal.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace thelma
+{
+
+/// Energies per reference volume in mJ/mm^3 = MPa.
+struct Energies {
+  double elastic;  ///< (theta/theta_0) (W + U)
+  double electric; ///< stored field energy, D.E/2 for a linear dielectric
+};
+
+/// What the rest of the program knows of a material. `first` and `second` leave the volumetric
+/// energy out; the element formulation adds it by its own rule.
+class Material
+{
+public:
+  virtual ~Material() = default;
+
+  /// Declares every entry of this material in the section @p prm stands in.
+  virtual void declare(dealii::ParameterHandler& prm) = 0;
+
+  virtual Energies energies(const PointState<>& state) const = 0;
+  virtual FirstDerivatives<> first(const PointState<>& state) const = 0;
+  virtual SecondDerivatives<> second(const PointState<>& state) const = 0;
+
+  /// Shear modulus (MPa) and permittivity (N/kV^2) of the undeformed material.
+  virtual double shear_modulus(double theta) const = 0;
+  virtual double permittivity(double theta) const = 0;
+
+  Thermal thermal;
+};
+
+/// The free energy of theory.md, eq. 4, from an elastic and a dielectric law:
+///   psi = (theta/theta_0) [W(F_EM, theta) + U(J_EM)] + psi_dielectric(F, E, theta) + psi_t(theta).
+/// Number-generic, so that Sacado can differentiate each function and the tests compare.
+template <class Elastic, class Dielectric>
+class ComposedMaterial final : public Material
+{
+public:
+  void declare(dealii::ParameterHandler& prm) override
+  {
+    elastic.declare(prm);
+    dielectric.declare(prm);
+    thermal.declare(prm);
+  }
+
+  /// psi without the volumetric energy.
+  template <typename Number>
+  Number psi(const PointState<Number>& state) const
+  {
+    const Kinematics<Number> kin(state.F);
+    const Number s = thermal.split(state.theta);
+    const Tensor3<2, Number> F_EM = s * state.F;
+    const Number J_EM = kin.J * s * s * s;
+    return state.theta / thermal.theta_0 * elastic.W(F_EM, J_EM, state.theta) +
+           dielectric.psi(state, kin) + thermal.psi(state.theta);
+  }
+
+  template <typename Number>
+  FirstDerivatives<Number> first_derivatives(const PointState<Number>& state) const
+  {
+    const Kinematics<Number> kin(state.F);
+    const Split<Number> em(*this, state, kin);
+    const Number f = state.theta / thermal.theta_0;
+    FirstDerivatives<Number> out;
+    out.P = f * em.s * em.d.W_F;
+    out.eta = thermal.eta(state.theta) - em.d.W / thermal.theta_0 -
+              f * (em.d.W_theta - thermal.alpha * contract(em.d.W_F, em.F));
+    dielectric.add_first(state, kin, out);
+    return out;
+  }
+
+  template <typename Number>
+  SecondDerivatives<Number> second_derivatives(const PointState<Number>& state) const
+  {
+    const Kinematics<Number> kin(state.F);
+    const Split<Number> em(*this, state, kin);
+    const Number f = state.theta / thermal.theta_0;
+    const double alpha = thermal.alpha;
+    const Tensor3<4, Number> W_FF = elastic.second(em.F, em.kin, state.theta);
+    const Tensor3<2, Number> W_FF_F = apply(W_FF, em.F);
+
+    SecondDerivatives<Number> out;
+    out.dP_dF = f * em.s * em.s * W_FF;
+    out.dP_dtheta = em.s * ((1. / thermal.theta_0 - alpha * f) * em.d.W_F +
+                            f * (em.d.W_Ftheta - alpha * W_FF_F));
+    out.deta_dtheta =
+        thermal.deta_dtheta(state.theta) -
+        2. / thermal.theta_0 * (em.d.W_theta - alpha * contract(em.d.W_F, em.F)) -
+        f * (em.d.W_thetatheta - 2. * alpha * contract(em.d.W_Ftheta, em.F) +
+             alpha * alpha * (contract(W_FF_F, em.F) + contract(em.d.W_F, em.F)));
+    dielectric.add_second(state, kin, out);
+    return out;
+  }
+
+  Energies energies(const PointState<>& state) const override
+  {
+    const Kinematics<> kin(state.F);
+    const Split<double> em(*this, state, kin);
+    return {state.theta / thermal.theta_0 * em.d.W +
+                thermal.volumetric(kin.J, state.theta).psi,
+            -dielectric.psi(state, kin)};
+  }
+
+  FirstDerivatives<> first(const PointState<>& state) const override
+  {
+    return first_derivatives(state);
+  }
+
+  SecondDerivatives<> second(const PointState<>& state) const override
+  {
+    return second_derivatives(state);
+  }
+
+  double shear_modulus(const double theta) const override { return elastic.shear_modulus(theta); }
+  double permittivity(const double theta) const override { return dielectric.permittivity(theta); }
+
+private:
+  /// The electro-mechanical part of the deformation and the elastic law at it.
+  template <typename Number>
+  struct Split {
+    Split(const ComposedMaterial& m, const PointState<Number>& state,
+          const Kinematics<Number>& total)
+        : s(m.thermal.split(state.theta)), F(s * state.F), kin(total)
+    {
+      kin.J = total.J * s * s * s;
+      kin.G = total.G / s;
+      d = m.elastic.first(F, kin, state.theta);
+    }
+
+    Number s;
+    Tensor3<2, Number> F;
+    Kinematics<Number> kin;
+    ElasticDerivatives<Number> d;
+  };
+
+  Elastic elastic;
+  Dielectric dielectric;
+};
+
+/// What the volumetric energy adds to the derivatives when its J is that of @p kin:
+///   P = p J G,  dP/dF = (p J + dp/dJ J^2) G x G - p J G_iL G_kJ.
+template <typename Number>
+void add_volumetric(const Kinematics<Number>& kin, const Volumetric<Number>& v,
+                    FirstDerivatives<Number>& out)
+{
+  out.P += v.p * kin.J * kin.G;
+  out.eta += v.eta;
+}
+
+template <typename Number>
+void add_volumetric(const Kinematics<Number>& kin, const Volumetric<Number>& v,
+                    SecondDerivatives<Number>& out)
+{
+  const Tensor3<2, Number>& G = kin.G;
+  const Number pJ = v.p * kin.J, slope = pJ + v.dp_dJ * kin.J * kin.J;
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int J = 0; J < 3; ++J)
+      for (unsigned int k = 0; k < 3; ++k)
+        for (unsigned int L = 0; L < 3; ++L)
+          out.dP_dF[i][J][k][L] += slope * G[i][J] * G[k][L] - pJ * G[i][L] * G[k][J];
+  out.dP_dtheta += v.dp_dtheta * kin.J * G;
+  out.deta_dtheta += v.deta_dtheta;
+}
+
+} // namespace thelma

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <thelma/materials/point.h>
+#include <thelma/materials/temperature_law.h>
+
+namespace thelma
+{
+
+/// Compressible neo-Hookean, without its volumetric energy (theory.md, eq. 5):
+///   W = mu(theta)/2 (F : F - 3 - 2 ln J),   W_F = mu (F - F^{-T}).
+/// The modulus is a TemperatureLaw in MPa; default: Sharma, Khurana and Joglekar, section 4.
+class NeoHookean
+{
+public:
+  static constexpr const char* name = "neo-Hookean";
+
+  void declare(dealii::ParameterHandler& prm)
+  {
+    mu.declare(prm, "Shear modulus", "mu(theta), MPa.");
+  }
+
+  /// Shear modulus of the undeformed material in MPa.
+  double shear_modulus(const double theta) const { return mu.value(theta); }
+
+  template <typename Number>
+  Number W(const Tensor3<2, Number>& F, const Number& J, const Number& theta) const
+  {
+    using std::log;
+    return mu.value(theta) / 2. * (contract(F, F) - 3. - 2. * log(J));
+  }
+
+  template <typename Number>
+  ElasticDerivatives<Number> first(const Tensor3<2, Number>& F, const Kinematics<Number>& kin,
+                                   const Number& theta) const
+  {
+    using std::log;
+    const Number invariant = contract(F, F) - 3. - 2. * log(kin.J);
+    ElasticDerivatives<Number> d;
+    d.W = mu.value(theta) / 2. * invariant;
+    d.W_theta = mu.slope(theta) / 2. * invariant;
+    d.W_thetatheta = mu.curvature(theta) / 2. * invariant;
+    d.W_F = mu.value(theta) * (F - kin.G);
+    d.W_Ftheta = mu.slope(theta) * (F - kin.G);
+    return d;
+  }
+
+  /// W_FF = mu (I + F^{-T} x F^{-T}), dW_iJ/dF_kL = mu (d_ik d_JL + G_iL G_kJ).
+  template <typename Number>
+  Tensor3<4, Number> second(const Tensor3<2, Number>&, const Kinematics<Number>& kin,
+                            const Number& theta) const
+  {
+    const Number modulus = mu.value(theta);
+    Tensor3<4, Number> W_FF;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int J = 0; J < 3; ++J) {
+        for (unsigned int k = 0; k < 3; ++k)
+          for (unsigned int L = 0; L < 3; ++L)
+            W_FF[i][J][k][L] = modulus * kin.G[i][L] * kin.G[k][J];
+        W_FF[i][J][i][J] += modulus;
+      }
+    return W_FF;
+  }
+
+private:
+  TemperatureLaw mu{{1.5180 / 3., -1.078 / 3., 0.2001 / 3.}};
+};
+
+} // namespace thelma

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <deal.II/base/tensor.h>
+
+#include <cmath>
+
+/// The point physics is always three-dimensional and independent of any mesh. Components follow
+/// the paper: P_iJ = P[i][J], dP_iJ/dF_kL = dP_dF[i][J][k][L]. Units: mm, N, MPa, kV, K.
+namespace thelma
+{
+
+template <int rank, typename Number = double>
+using Tensor3 = dealii::Tensor<rank, 3, Number>;
+
+/// What a material law sees: deformation gradient F, nominal electric field E in kV/mm and
+/// absolute temperature theta in K.
+template <typename Number = double>
+struct PointState {
+  Tensor3<2, Number> F;
+  Tensor3<1, Number> E;
+  Number theta;
+};
+
+/// P in MPa, D in N/(kV mm), eta in MPa/K.
+template <typename Number = double>
+struct FirstDerivatives {
+  Tensor3<2, Number> P;
+  Tensor3<1, Number> D;
+  Number eta;
+};
+
+/// Derivatives of P, D and eta. The others follow from the common potential:
+/// dD/dF = -(dP/dE)^T, deta/dF = -dP/dtheta, deta/dE = dD/dtheta.
+template <typename Number = double>
+struct SecondDerivatives {
+  Tensor3<4, Number> dP_dF;
+  Tensor3<3, Number> dP_dE;
+  Tensor3<2, Number> dP_dtheta;
+  Tensor3<2, Number> dD_dE;
+  Tensor3<1, Number> dD_dtheta;
+  Number deta_dtheta;
+};
+
+/// Volumetric energy psi_v(J, theta), kept apart from the rest so that an element formulation can
+/// integrate it by its own rule or give it its own dilatation.
+template <typename Number = double>
+struct Volumetric {
+  Number psi;         ///< MPa
+  Number p;           ///< dpsi_v/dJ, MPa
+  Number dp_dJ;       ///< MPa
+  Number dp_dtheta;   ///< MPa/K
+  Number eta;         ///< -dpsi_v/dtheta, MPa/K
+  Number deta_dtheta; ///< MPa/K^2
+};
+
+/// W and its derivatives with respect to F_EM and theta (at fixed F_EM). An elastic law fills one
+/// of these; Material adds the entropic factor theta/theta_0 and the thermal split.
+template <typename Number = double>
+struct ElasticDerivatives {
+  Number W, W_theta, W_thetatheta;
+  Tensor3<2, Number> W_F, W_Ftheta;
+};
+
+/// Fourier's law: nominal heat flux Q in N/(mm s) and its derivatives.
+struct HeatFlux {
+  Tensor3<1> Q;
+  Tensor3<2> dQ_dgrad;
+  Tensor3<3> dQ_dF; ///< dQ_J/dF_kL = [J][k][L]
+};
+
+/// J = det F and G = F^{-T}, from which every derivative of the laws is built.
+template <typename Number = double>
+struct Kinematics {
+  explicit Kinematics(const Tensor3<2, Number>& F)
+  {
+    Tensor3<2, Number> cofactor;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j) {
+        const unsigned int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+        cofactor[i][j] = F[i1][j1] * F[i2][j2] - F[i1][j2] * F[i2][j1];
+      }
+    J = F[0][0] * cofactor[0][0] + F[0][1] * cofactor[0][1] + F[0][2] * cofactor[0][2];
+    G = cofactor / J;
+  }
+
+  Number J;
+  Tensor3<2, Number> G;
+};
+
+/// Sum of products of all components.
+template <int rank, typename Number>
+Number contract(const Tensor3<rank, Number>& a, const Tensor3<rank, Number>& b)
+{
+  return dealii::scalar_product(a, b);
+}
+
+template <typename Number>
+Number contract(const Tensor3<1, Number>& a, const Tensor3<1, Number>& b)
+{
+  return a * b;
+}
+
+/// A : B over the last two indices of @p A.
+template <typename Number>
+Tensor3<2, Number> apply(const Tensor3<4, Number>& A, const Tensor3<2, Number>& B)
+{
+  Tensor3<2, Number> result;
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int J = 0; J < 3; ++J)
+      result[i][J] = dealii::scalar_product(A[i][J], B);
+  return result;
+}
+
+} // namespace thelma

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <thelma/base/error.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace thelma
+{
+
+/// A material parameter that depends on temperature, f(theta) = c_0 + c_1 x + c_2 x^2 + ... with
+/// x = 1000 K / theta (the form of the paper's shear modulus); one coefficient is a constant.
+class TemperatureLaw
+{
+public:
+  explicit TemperatureLaw(std::vector<double> coefficients) : c(std::move(coefficients)) {}
+
+  /// Declares @p entry in the section @p prm stands in; @p what ends "Coefficients ... of <what>".
+  void declare(dealii::ParameterHandler& prm, const std::string& entry, const std::string& what)
+  {
+    prm.add_parameter(entry, c,
+                      "Coefficients c_0, c_1, ... of powers of (1000 K / theta) in " + what,
+                      dealii::Patterns::List(dealii::Patterns::Double(), 1, 10));
+  }
+
+  template <typename Number>
+  Number value(const Number& theta) const
+  {
+    const Number x = 1000. / theta;
+    Number f = c.back();
+    for (std::size_t n = c.size() - 1; n > 0; --n)
+      f = f * x + c[n - 1];
+    return f;
+  }
+
+  /// df/dtheta: x^n has the derivative -n x^n / theta.
+  template <typename Number>
+  Number slope(const Number& theta) const
+  {
+    const Number x = 1000. / theta;
+    Number f = 0.;
+    for (std::size_t n = c.size() - 1; n > 0; --n)
+      f = (f + double(n) * c[n]) * x;
+    return -f / theta;
+  }
+
+  /// d2f/dtheta2: x^n has the second derivative n (n + 1) x^n / theta^2.
+  template <typename Number>
+  Number curvature(const Number& theta) const
+  {
+    const Number x = 1000. / theta;
+    Number f = 0.;
+    for (std::size_t n = c.size() - 1; n > 0; --n)
+      f = (f + double(n * (n + 1)) * c[n]) * x;
+    return f / (theta * theta);
+  }
+
+private:
+  std::vector<double> c;
+};
+
+} // namespace thelma

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <thelma/materials/point.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace thelma
+{
+
+/// What depends on temperature alone or on J and temperature: thermal split, volumetric energy,
+/// heat capacity, conduction (theory.md, eqs. 2, 6, 8, 12).
+class Thermal
+{
+public:
+  void declare(dealii::ParameterHandler& prm);
+
+  /// F_EM = split(theta) F with split = J_theta^{-1/3} = exp(-alpha (theta - theta_0)).
+  template <typename Number>
+  Number split(const Number& theta) const
+  {
+    using std::exp;
+    return exp(-alpha * (theta - theta_0));
+  }
+
+  /// psi_v = (theta/theta_0) K/2 ln^2 J_EM and its derivatives, J_EM = J / J_theta.
+  template <typename Number>
+  Volumetric<Number> volumetric(const Number& J, const Number& theta) const
+  {
+    using std::log;
+    const Number f = theta / theta_0;
+    const Number x = log(J) - 3. * alpha * (theta - theta_0);
+    Volumetric<Number> v;
+    v.psi = f * K / 2. * x * x;
+    v.p = f * K * x / J;
+    v.dp_dJ = f * K * (1. - x) / (J * J);
+    v.dp_dtheta = K * (x / theta_0 - 3. * alpha * f) / J;
+    v.eta = -K * x * (x / (2. * theta_0) - 3. * alpha * f);
+    v.deta_dtheta = 6. * alpha * K * x / theta_0 - 9. * alpha * alpha * f * K;
+    return v;
+  }
+
+  /// psi_t = c [theta - theta_0 - theta ln(theta/theta_0)] - K y^2 exp(-y), y = ln J_theta.
+  template <typename Number>
+  Number psi(const Number& theta) const
+  {
+    using std::exp;
+    using std::log;
+    const Number y = 3. * alpha * (theta - theta_0);
+    return c * (theta - theta_0 - theta * log(theta / theta_0)) - K * y * y * exp(-y);
+  }
+
+  template <typename Number>
+  Number eta(const Number& theta) const
+  {
+    using std::exp;
+    using std::log;
+    const Number y = 3. * alpha * (theta - theta_0);
+    return c * log(theta / theta_0) + 3. * alpha * K * y * (2. - y) * exp(-y);
+  }
+
+  template <typename Number>
+  Number deta_dtheta(const Number& theta) const
+  {
+    using std::exp;
+    const Number y = 3. * alpha * (theta - theta_0);
+    return c / theta + 9. * alpha * alpha * K * (2. - 4. * y + y * y) * exp(-y);
+  }
+
+  /// Q = -k J C^{-1} Grad theta: isotropic conduction in the deformed body.
+  HeatFlux heat_flux(const Kinematics<>& kin, const Tensor3<1>& grad_theta) const;
+
+  double theta_0 = 293.; ///< reference temperature, K
+  double alpha = 0.;     ///< linear thermal expansion, 1/K
+  double K = 56.552;     ///< bulk modulus, MPa
+  double c = 1.92;       ///< volumetric heat capacity, MPa/K
+  double k = 0.16;       ///< conductivity, N/(s K)
+};
+
+} // namespace thelma

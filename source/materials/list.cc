@@ -1,0 +1,126 @@
+#include <thelma/materials/list.h>
+
+namespace thelma
+{
+namespace
+{
+
+template <typename Laws>
+std::vector<std::string> names_of()
+{
+  return std::apply([](auto... law) { return std::vector<std::string>{decltype(law)::name...}; },
+                    Laws());
+}
+
+std::string choice(const std::vector<std::string>& names)
+{
+  std::string pattern;
+  for (const std::string& name : names)
+    pattern += (pattern.empty() ? "" : "|") + name;
+  return pattern;
+}
+
+std::unique_ptr<Material> create(const std::string& elastic, const std::string& dielectric)
+{
+  std::unique_ptr<Material> material;
+  for_each_material([&](auto* type, const std::string& e, const std::string& d) {
+    if (e == elastic && d == dielectric)
+      material = std::make_unique<std::remove_pointer_t<decltype(type)>>();
+  });
+  return material;
+}
+
+} // namespace
+
+std::vector<std::string> elastic_law_names() { return names_of<ElasticLaws>(); }
+std::vector<std::string> dielectric_law_names() { return names_of<DielectricLaws>(); }
+
+MaterialLibrary::MaterialLibrary(const ParameterFile& file)
+{
+  file.peek([&](dealii::ParameterHandler& prm) { declare_regions(prm); });
+  for (const auto& [region, name] : material_of_region)
+    materials[name];
+  for (auto& [name, entry] : materials) {
+    file.peek([&, &name = name, &entry = entry](dealii::ParameterHandler& prm) {
+      declare_laws(prm, name, entry);
+    });
+    entry.material = create(entry.elastic, entry.dielectric);
+  }
+}
+
+void MaterialLibrary::declare_regions(dealii::ParameterHandler& prm)
+{
+  using namespace dealii::Patterns;
+  const Section section(prm, {"Regions"});
+  prm.add_parameter("Materials", material_of_region,
+                    "Which material fills each region (a physical group of the mesh), as "
+                    "`region: material, region: material`.",
+                    Map(Anything(), Anything(), 0, 100));
+}
+
+void MaterialLibrary::declare_laws(dealii::ParameterHandler& prm, const std::string& name,
+                                   Entry& entry)
+{
+  using dealii::Patterns::Selection;
+  const Section section(prm, {"Materials", name});
+  prm.add_parameter("Elastic law", entry.elastic, "Elastic energy W(F_EM, theta).",
+                    Selection(choice(elastic_law_names())));
+  prm.add_parameter("Dielectric law", entry.dielectric, "Electric energy.",
+                    Selection(choice(dielectric_law_names())));
+}
+
+void MaterialLibrary::declare(dealii::ParameterHandler& prm)
+{
+  declare_regions(prm);
+  for (auto& [name, entry] : materials) {
+    declare_laws(prm, name, entry);
+    const Section section(prm, {"Materials", name});
+    entry.material->declare(prm);
+  }
+}
+
+void MaterialLibrary::check(const double theta) const
+{
+  for (const auto& [name, entry] : materials) {
+    const auto require_positive = [&, &name = name](const std::string& what, const double value) {
+      if (!(value > 0.))
+        throw InputError("section Materials/" + name + ", entry '" + what + "': the value is " +
+                         std::to_string(value) + " at " + std::to_string(theta) +
+                         " K but must be positive");
+    };
+    require_positive("Shear modulus", entry.material->shear_modulus(theta));
+    require_positive("Bulk modulus", entry.material->thermal.K);
+    require_positive("Permittivity", entry.material->permittivity(theta));
+  }
+}
+
+const Material& MaterialLibrary::of_region(const std::string& region) const
+{
+  const auto found = material_of_region.find(region);
+  if (found == material_of_region.end())
+    throw InputError("section Regions, entry 'Materials': the region '" + region +
+                     "' of the mesh has no material; regions named there: " +
+                     comma_separated(regions()));
+  return named(found->second);
+}
+
+const Material& MaterialLibrary::named(const std::string& name) const
+{
+  const auto found = materials.find(name);
+  if (found != materials.end())
+    return *found->second.material;
+  std::vector<std::string> known;
+  for (const auto& entry : materials)
+    known.push_back(entry.first);
+  throw InputError("unknown material '" + name + "'; known: " + comma_separated(known));
+}
+
+std::vector<std::string> MaterialLibrary::regions() const
+{
+  std::vector<std::string> names;
+  for (const auto& entry : material_of_region)
+    names.push_back(entry.first);
+  return names;
+}
+
+} // namespace thelma
