@@ -1,1 +1,70 @@
-int main() {}
+#include <thelma/application/study.h>
+#include <thelma/base/version.h>
+#include <thelma/elements/formulation.h>
+#include <thelma/problem.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <iostream>
+
+namespace
+{
+
+using namespace thelma;
+
+void print_lists(std::ostream& out)
+{
+  out << "elastic laws:          " << comma_separated(elastic_law_names()) << "\n"
+      << "dielectric laws:       " << comma_separated(dielectric_law_names()) << "\n"
+      << "element formulations:  " << comma_separated(formulations<3>().names()) << "\n"
+      << "linear solvers:        MUMPS (LDL^T, or LU with a temperature field)\n"
+      << "observables:           " << comma_separated(observables<3>().names()) << "\n";
+}
+
+ExitCode run(const CommandLine& line, std::ostream& out)
+{
+  switch (line.action) {
+  case CommandLine::Action::help:
+    out << CommandLine::help();
+    return ExitCode::success;
+  case CommandLine::Action::version:
+    out << "thelma " << version << "\n";
+    return ExitCode::success;
+  case CommandLine::Action::list:
+    print_lists(out);
+    return ExitCode::success;
+  case CommandLine::Action::defaults:
+    print_defaults(out);
+    return ExitCode::success;
+  case CommandLine::Action::check:
+    check_scene(ParameterFile(line.file, line.overrides));
+    out << line.file << ": no problem found\n";
+    return ExitCode::success;
+  default:
+    if (!line.sweeps.empty())
+      return run_study(line);
+    return run_scene(ParameterFile(line.file, line.overrides), line.output).code;
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const bool is_rank_0 = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  std::ostream silence(nullptr);
+  try {
+    const CommandLine line = CommandLine::parse({argv + 1, argv + argc});
+    return static_cast<int>(run(line, is_rank_0 ? std::cout : silence));
+  } catch (const InputError& error) {
+    (is_rank_0 ? std::cerr : silence) << "thelma: " << error.what() << std::endl;
+    return static_cast<int>(ExitCode::bad_input);
+  } catch (const dealii::ExceptionBase& error) {
+    std::cerr << "thelma: internal error, please report it: ";
+    error.print_info(std::cerr);
+  } catch (const std::exception& error) {
+    std::cerr << "thelma: internal error, please report it: " << error.what() << std::endl;
+  }
+  MPI_Abort(MPI_COMM_WORLD, 70); // the other ranks may be waiting in a message
+}

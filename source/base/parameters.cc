@@ -108,6 +108,14 @@ ParameterFile::ParameterFile(std::string file, const std::vector<Override>& over
   }
 }
 
+ParameterFile ParameterFile::from_text(const std::string& text)
+{
+  ParameterFile file;
+  file.path = "parameters";
+  file.text = text;
+  return file;
+}
+
 void ParameterFile::peek(const std::function<void(dealii::ParameterHandler&)>& declare) const
 {
   dealii::ParameterHandler prm;

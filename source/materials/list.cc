@@ -40,6 +40,9 @@ MaterialLibrary::MaterialLibrary(const ParameterFile& file)
   file.peek([&](dealii::ParameterHandler& prm) { declare_regions(prm); });
   for (const auto& [region, name] : material_of_region)
     materials[name];
+  if (materials.empty())
+    throw InputError(file.name() + ", section Regions: 'Materials' is empty or missing; write "
+                                   "`set Materials = region: material`");
   for (auto& [name, entry] : materials) {
     file.peek([&, &name = name, &entry = entry](dealii::ParameterHandler& prm) {
       declare_laws(prm, name, entry);
@@ -71,8 +74,11 @@ void MaterialLibrary::declare_laws(dealii::ParameterHandler& prm, const std::str
 
 void MaterialLibrary::declare(dealii::ParameterHandler& prm)
 {
+  material_of_region.clear(); // the declared defaults; reading brings the choices back
   declare_regions(prm);
   for (auto& [name, entry] : materials) {
+    entry.elastic = Entry().elastic;
+    entry.dielectric = Entry().dielectric;
     declare_laws(prm, name, entry);
     const Section section(prm, {"Materials", name});
     entry.material->declare(prm);
@@ -94,6 +100,17 @@ void MaterialLibrary::check(const double theta) const
   }
 }
 
+double MaterialLibrary::reference_temperature() const
+{
+  const double theta_0 = materials.begin()->second.material->thermal.theta_0;
+  for (const auto& [name, entry] : materials)
+    if (entry.material->thermal.theta_0 != theta_0)
+      throw InputError("section Materials/" + name +
+                       ", entry 'Reference temperature': all materials need the same one, since "
+                       "the scene starts from it");
+  return theta_0;
+}
+
 const Material& MaterialLibrary::of_region(const std::string& region) const
 {
   const auto found = material_of_region.find(region);
@@ -109,10 +126,15 @@ const Material& MaterialLibrary::named(const std::string& name) const
   const auto found = materials.find(name);
   if (found != materials.end())
     return *found->second.material;
+  throw InputError("unknown material '" + name + "'; known: " + comma_separated(names()));
+}
+
+std::vector<std::string> MaterialLibrary::names() const
+{
   std::vector<std::string> known;
   for (const auto& entry : materials)
     known.push_back(entry.first);
-  throw InputError("unknown material '" + name + "'; known: " + comma_separated(known));
+  return known;
 }
 
 std::vector<std::string> MaterialLibrary::regions() const

@@ -32,6 +32,9 @@ public:
   /// Throws InputError if the file cannot be read.
   ParameterFile(std::string path, const std::vector<Override>& overrides);
 
+  /// The same from memory.
+  static ParameterFile from_text(const std::string& text);
+
   /// Read only what @p declare declares, ignore everything else.
   void peek(const std::function<void(dealii::ParameterHandler&)>& declare) const;
 
@@ -41,9 +44,11 @@ public:
   const std::string& name() const { return path; }
 
 private:
+  ParameterFile() = default;
+
   std::string path;
   std::string text;
-  unsigned int n_file_lines;
+  unsigned int n_file_lines = 0;
 };
 
 /// Enters a (possibly nested) subsection for the lifetime of the object.

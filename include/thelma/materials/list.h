@@ -49,9 +49,14 @@ public:
   /// Throws InputError for moduli that make no sense at @p theta.
   void check(double theta) const;
 
+  /// Common temperature in K at which the undeformed materials are free of stress.
+  /// Throws InputError if they differ.
+  double reference_temperature() const;
+
   const Material& of_region(const std::string& region) const;
   const Material& named(const std::string& name) const;
   std::vector<std::string> regions() const;
+  std::vector<std::string> names() const;
 
 private:
   struct Entry {

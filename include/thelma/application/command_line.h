@@ -1,0 +1,33 @@
+#pragma once
+
+#include <thelma/base/parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace thelma
+{
+
+/// An entry and the values it takes in a parameter study.
+struct Sweep {
+  Override entry;
+  std::vector<std::string> values;
+};
+
+/// What the user asked for.
+struct CommandLine {
+  enum class Action { run, check, list, defaults, version, help };
+
+  /// Throws InputError for what it does not understand.
+  static CommandLine parse(const std::vector<std::string>& arguments);
+
+  static std::string help();
+
+  Action action = Action::run;
+  std::string file;
+  std::string output; ///< default: output/<name of the file>
+  std::vector<Override> overrides;
+  std::vector<Sweep> sweeps;
+};
+
+} // namespace thelma

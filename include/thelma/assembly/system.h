@@ -1,0 +1,70 @@
+#pragma once
+
+#include <thelma/assembly/tangent_matrix.h>
+#include <thelma/base/timings.h>
+#include <thelma/elements/formulation.h>
+#include <thelma/fields/state.h>
+#include <thelma/solvers/mumps.h>
+#include <thelma/solvers/newton.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace thelma
+{
+
+/// The discrete balance of a scene: sums the cells into residual and tangent at the State's
+/// iterate and solves for corrections.
+template <int dim>
+class System : public NonlinearSystem
+{
+public:
+  System(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions, State& state,
+         Timings& timings);
+
+  void declare(dealii::ParameterHandler& prm);
+
+  /// Build matrix, formulation and solver; the fields and constraints must stand.
+  void setup();
+
+  ResidualReport residual() override;
+  LinearReport linear_solve() override;
+  void move_to(double step) override;
+
+  /// Assemble the tangent at the iterate.
+  void assemble_tangent();
+  const dealii::TrilinosWrappers::BlockSparseMatrix& tangent() const { return matrix.matrix(); }
+
+  /// Residual before constraints: at prescribed unknowns the reactions (N; minus the charge in
+  /// uC at electrodes).
+  const BlockVector& reactions() const { return raw_residual; }
+  BlockVector free_residual() const;
+
+  /// Call @p visit for each own cell at the current iterate.
+  void for_each_cell(const std::function<void(const CellView<dim>&)>& visit) const;
+
+  /// The tangent has this many negative eigenvalues when the state is stable; none may be said of
+  /// an unsymmetric one.
+  bool is_symmetric() const { return !layout.has(Field::temperature); }
+  long long unstable_directions(long long negative_pivots) const;
+
+private:
+  /// Norms of the nodal forces that a unit stress mu (displacement sqrt(eps mu), heat flux
+  /// k * 1 K/mm) exerts: the units of each field's residual.
+  void compute_scales();
+
+  const FieldLayout<dim>& layout;
+  const BoundaryConditions<dim>& conditions;
+  State& state;
+  Timings& timings;
+
+  std::string formulation_name = "selective reduced";
+  std::unique_ptr<Formulation<dim>> formulation;
+  TangentMatrix<dim> matrix;
+  std::unique_ptr<Mumps> solver;
+  std::vector<double> scales; ///< per block
+  BlockVector raw_residual, base, correction;
+};
+
+} // namespace thelma

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <thelma/fields/boundary_conditions.h>
+#include <thelma/fields/layout.h>
+
+#include <deal.II/lac/trilinos_block_sparse_matrix.h>
+
+#include <vector>
+
+namespace thelma
+{
+
+/// The tangent as a block matrix, with the place of every cell entry in it found once.
+///
+/// Prescribed unknowns keep a row with 1 on the diagonal. Rows of other ranks (few, along the
+/// partition's border) go the ordinary way through Trilinos.
+template <int dim>
+class TangentMatrix
+{
+public:
+  void setup(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions);
+
+  /// Begin a new assembly.
+  void clear();
+
+  /// Add the tangent of the own cell @p index, row by row in the order of Cell::dofs.
+  void add(std::size_t index, const Cell<dim>& cell, const std::vector<double>& entries);
+
+  /// End the assembly: exchange the rows of other ranks.
+  void finish();
+
+  const dealii::TrilinosWrappers::BlockSparseMatrix& matrix() const { return tangent; }
+
+private:
+  void make_pattern(const FieldLayout<dim>& layout);
+  void find_positions(const FieldLayout<dim>& layout);
+  double* entry(dealii::types::global_dof_index row, dealii::types::global_dof_index column);
+  void add_row(dealii::types::global_dof_index row, const Cell<dim>& cell, const double* entries);
+
+  static constexpr int skipped = -1, elsewhere = -2;
+
+  const dealii::AffineConstraints<double>* constraints = nullptr;
+  dealii::TrilinosWrappers::BlockSparseMatrix tangent;
+  std::vector<double*> block_values;            ///< of the local part of block (i, j)
+  std::vector<double*> fixed_diagonals;         ///< of the prescribed unknowns of this rank
+  std::vector<std::vector<int>> positions;      ///< [cell][i * n + j], or skipped, elsewhere
+  std::vector<std::vector<unsigned int>> blocks; ///< [cell][i]
+};
+
+} // namespace thelma

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <thelma/fields/layout.h>
+
+#include <deal.II/base/quadrature.h>
+
+#include <vector>
+
+namespace thelma
+{
+
+/// Shape functions of the scalar element on the reference cell at the points of one rule.
+template <int dim>
+struct Basis {
+  Basis(const dealii::FiniteElement<dim>& scalar, const dealii::Quadrature<dim>& rule);
+
+  unsigned int n_points, n_nodes;
+  std::vector<double> N;  ///< [q][a]
+  std::vector<double> dN; ///< [q][direction][a]
+};
+
+/// Map from the reference cell at one quadrature point, in the undeformed body.
+template <int dim>
+struct PointGeometry {
+  dealii::Tensor<2, dim> inverse_jacobian; ///< [reference direction][X direction]
+  double JxW;                              ///< mm^dim
+};
+
+/// The quadrature points of every own cell; nothing here changes while the body deforms.
+template <int dim>
+class Integration
+{
+public:
+  /// @p n_points Gauss points per direction.
+  Integration(const FieldLayout<dim>& layout, unsigned int n_points);
+
+  const Basis<dim>& basis() const { return shape; }
+  const PointGeometry<dim>* of_cell(const std::size_t cell) const
+  {
+    return geometry.data() + cell * shape.n_points;
+  }
+  const dealii::Quadrature<dim>& quadrature() const { return rule; }
+
+private:
+  dealii::Quadrature<dim> rule;
+  Basis<dim> shape;
+  std::vector<PointGeometry<dim>> geometry;
+};
+
+} // namespace thelma

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <thelma/base/named_list.h>
+#include <thelma/elements/basis.h>
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace thelma
+{
+
+/// One cell at one iterate.
+template <int dim>
+struct CellView {
+  std::size_t index; ///< position among the rank's own cells
+  const Cell<dim>& cell;
+  const double* x; ///< nodal values in the order of Cell::dofs
+  double theta;    ///< uniform temperature in K where theta is no field
+  bool has_temperature;
+};
+
+/// What a formulation computes for one cell; sized and zeroed by reset().
+struct CellResult {
+  void reset(std::size_t n_dofs, bool with_tangent)
+  {
+    residual.assign(n_dofs, 0.);
+    tangent.assign(with_tangent ? n_dofs * n_dofs : 0, 0.);
+    min_det_F = std::numeric_limits<double>::max();
+  }
+
+  std::vector<double> residual; ///< R = dPi/dx, [a][c]
+  std::vector<double> tangent;  ///< dR/dx, row by row
+  double min_det_F;             ///< if not positive, the rest is meaningless
+};
+
+/// Residual and tangent of one cell. A new formulation is one file and one line in list.cc.
+template <int dim>
+class Formulation
+{
+public:
+  virtual ~Formulation() = default;
+
+  /// Precompute quadrature data for the cells of @p layout.
+  virtual void setup(const FieldLayout<dim>& layout) = 0;
+  virtual void residual(const CellView<dim>& view, CellResult& result) const = 0;
+  virtual void tangent(const CellView<dim>& view, CellResult& result) const = 0;
+};
+
+template <int dim>
+const NamedList<Formulation<dim>>& formulations();
+
+template <int dim>
+std::unique_ptr<Formulation<dim>> make_standard();
+template <int dim>
+std::unique_ptr<Formulation<dim>> make_selective_reduced();
+
+} // namespace thelma

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <thelma/materials/material.h>
+
+namespace thelma
+{
+
+/// Which components a cell has and what they mean.
+template <int dimension, bool with_potential, bool with_temperature>
+struct Components {
+  static constexpr int dim = dimension;
+  static constexpr bool has_potential = with_potential, has_temperature = with_temperature;
+  static constexpr int potential = dim;
+  static constexpr int temperature = dim + (with_potential ? 1 : 0);
+  static constexpr int n = temperature + (with_temperature ? 1 : 0);
+};
+
+/// The point physics seen by one cell: its n_c components (u_1 .. u_dim, phi, theta) have fluxes
+/// S = [P; D; -Q], so that a cell's residual is R_ac = sum_J S_cJ dN_a/dX_J whatever the fields.
+template <typename Fields>
+struct PointSystem {
+  static constexpr int dim = Fields::dim, n_c = Fields::n;
+
+  double S[n_c][dim];
+  /// dS_cJ/d(gradient of component d)_L, stored [c][J][L][d]: the inner loop runs over d.
+  double M[n_c][dim][dim][n_c];
+  /// dS_cJ/dtheta.
+  double m[n_c][dim];
+};
+
+
+/// What a cell's nodal values give at one point.
+struct PointInput {
+  PointState<> state;
+  Tensor3<1> grad_theta;
+};
+
+/// State of plane strain (dim = 2: F_33 = 1, no field or flux out of plane) or space from the
+/// gradients of the components; @p theta is the temperature at the point.
+template <typename Fields>
+PointInput point_input(const double (&gradient)[Fields::n][Fields::dim], const double theta)
+{
+  PointInput input;
+  input.state.theta = theta;
+  for (unsigned int i = 0; i < 3; ++i)
+    input.state.F[i][i] = 1.;
+  for (int J = 0; J < Fields::dim; ++J) {
+    for (int i = 0; i < Fields::dim; ++i)
+      input.state.F[i][J] += gradient[i][J];
+    if constexpr (Fields::has_potential)
+      input.state.E[J] = -gradient[Fields::potential][J];
+    if constexpr (Fields::has_temperature)
+      input.grad_theta[J] = gradient[Fields::temperature][J];
+  }
+  return input;
+}
+
+template <typename Fields>
+void add_fluxes(const FirstDerivatives<>& d, PointSystem<Fields>& system)
+{
+  for (int J = 0; J < Fields::dim; ++J) {
+    for (int i = 0; i < Fields::dim; ++i)
+      system.S[i][J] += d.P[i][J];
+    if constexpr (Fields::has_potential)
+      system.S[Fields::potential][J] += d.D[J];
+  }
+}
+
+template <typename Fields>
+void add_moduli(const SecondDerivatives<>& d, PointSystem<Fields>& system)
+{
+  constexpr int dim = Fields::dim, phi = Fields::potential;
+  for (int J = 0; J < dim; ++J)
+    for (int L = 0; L < dim; ++L) {
+      for (int i = 0; i < dim; ++i) {
+        for (int k = 0; k < dim; ++k)
+          system.M[i][J][L][k] += d.dP_dF[i][J][k][L];
+        if constexpr (Fields::has_potential) { // E = -grad phi and dD/dF = -(dP/dE)^T
+          system.M[i][J][L][phi] -= d.dP_dE[i][J][L];
+          system.M[phi][J][L][i] -= d.dP_dE[i][L][J];
+        }
+      }
+      if constexpr (Fields::has_potential)
+        system.M[phi][J][L][phi] -= d.dD_dE[J][L];
+    }
+  for (int J = 0; J < dim; ++J) {
+    for (int i = 0; i < dim; ++i)
+      system.m[i][J] += d.dP_dtheta[i][J];
+    if constexpr (Fields::has_potential)
+      system.m[phi][J] += d.dD_dtheta[J];
+  }
+}
+
+template <typename Fields>
+void add_heat_flux(const HeatFlux& heat, PointSystem<Fields>& system)
+{
+  constexpr int dim = Fields::dim, theta = Fields::temperature;
+  for (int J = 0; J < dim; ++J) {
+    system.S[theta][J] -= heat.Q[J];
+    for (int L = 0; L < dim; ++L) {
+      system.M[theta][J][L][theta] -= heat.dQ_dgrad[J][L];
+      for (int k = 0; k < dim; ++k)
+        system.M[theta][J][L][k] -= heat.dQ_dF[J][k][L];
+    }
+  }
+}
+
+} // namespace thelma

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <thelma/fields/layout.h>
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace thelma
+{
+
+/// Supports, electrodes and prescribed temperatures of a scene. Newton's corrections obey
+/// homogeneous constraints; the prescribed values are written into the iterate beforehand.
+template <int dim>
+class BoundaryConditions
+{
+public:
+  void declare(dealii::ParameterHandler& prm);
+
+  /// Find the degrees of freedom of every named surface. Throws InputError for unknown names, for
+  /// a potential without ground, or for surfaces in regions that carry no field.
+  void setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
+
+  /// Zero corrections at every prescribed degree of freedom.
+  const dealii::AffineConstraints<double>& constraints() const { return homogeneous; }
+
+  /// Write the prescribed values into the owned entries of @p x: electrodes at @p voltage (kV),
+  /// temperatures at the fraction @p heating of their way from @p theta_start (K).
+  void apply(double voltage, double theta_start, double heating, BlockVector& x) const;
+
+  /// Potential unknowns of all electrodes with their multiple of the voltage.
+  const std::map<dealii::types::global_dof_index, double>& driven() const { return driven_dofs; }
+
+  /// Unconstrained unknowns of @p field over all ranks.
+  dealii::types::global_dof_index n_free(const FieldLayout<dim>& layout, Field field) const;
+
+private:
+  using Values = std::map<dealii::types::global_dof_index, double>;
+
+  static void fix(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string& surface,
+           const std::string& place, unsigned int component, double value, Values& values);
+  void fix_supports(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
+  void fix_electrodes(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
+  void fix_temperatures(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
+
+  std::map<std::string, std::string> supports;
+  std::map<std::string, double> electrodes, temperatures;
+
+  dealii::IndexSet owned;
+  Values fixed_dofs;  ///< value in mm
+  Values driven_dofs; ///< multiple of the voltage
+  Values heated_dofs; ///< value in K
+  dealii::AffineConstraints<double> homogeneous;
+};
+
+} // namespace thelma

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <thelma/materials/list.h>
+#include <thelma/mesh/mesh.h>
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/hp/fe_collection.h>
+#include <deal.II/lac/la_parallel_block_vector.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace thelma
+{
+
+using BlockVector = dealii::LinearAlgebra::distributed::BlockVector<double>;
+
+enum class Field { displacement, potential, temperature };
+
+/// "displacement u", "potential phi", "temperature theta".
+std::string field_name(Field field);
+
+/// One locally owned cell as the element formulations need it. Local degrees of freedom are
+/// ordered node by node: (u_1 .. u_dim, phi, theta) of node 0, of node 1, ...
+template <int dim>
+struct Cell {
+  typename dealii::DoFHandler<dim>::active_cell_iterator iterator;
+  const Material* material;
+  unsigned int n_components; ///< fields on this cell, counted by components
+  bool has_potential;
+  std::vector<dealii::types::global_dof_index> dofs;
+};
+
+/// Which field lives where, and the numbering: displacement everywhere, potential only in regions
+/// that carry a field, temperature only where it is solved for.
+template <int dim>
+class FieldLayout
+{
+public:
+  void declare(dealii::ParameterHandler& prm);
+
+  /// Distribute the degrees of freedom of @p mesh; a component with no unknowns is left out.
+  void setup(const Mesh<dim>& mesh, const MaterialLibrary& materials);
+
+  bool has(Field field) const;
+
+  /// Fields in the order of their blocks and components.
+  const std::vector<Field>& fields() const { return present; }
+  unsigned int block(Field field) const;
+  unsigned int first_component(Field field) const;
+  unsigned int block_of_component(unsigned int component) const;
+  unsigned int n_components() const;
+  unsigned int block_of_dof(dealii::types::global_dof_index dof) const;
+
+  const dealii::DoFHandler<dim>& dof_handler() const { return dofs; }
+  const std::vector<Cell<dim>>& cells() const { return own_cells; }
+  const dealii::FE_Q<dim>& scalar_element() const { return *scalar; }
+  unsigned int degree() const { return polynomial_degree; }
+  MPI_Comm communicator() const { return dofs.get_communicator(); }
+
+  /// One index set per block.
+  const std::vector<dealii::IndexSet>& owned() const { return owned_dofs; }
+  const std::vector<dealii::IndexSet>& relevant() const { return relevant_dofs; }
+  dealii::types::global_dof_index n_dofs(Field field) const
+  {
+    return owned_dofs[block(field)].size();
+  }
+
+  /// A zero vector whose ghost entries are those of this rank's cells.
+  BlockVector new_vector() const;
+
+  /// Local index of component @p c of node @p a of an @p fe_index cell, or nothing if absent.
+  std::optional<unsigned int> local_dof(unsigned int fe_index, unsigned int a,
+                                        unsigned int c) const;
+
+  /// What is solved for and what is left out, one line each.
+  std::vector<std::string> summary() const;
+
+private:
+  void build_elements();
+  void number_blockwise();
+  void collect_cells(const Mesh<dim>& mesh, const MaterialLibrary& materials);
+
+  unsigned int polynomial_degree = 1;
+  std::vector<std::string> passive_regions;
+  std::string temperature_model = "uniform";
+
+  std::vector<Field> present;
+  std::unique_ptr<dealii::FE_Q<dim>> scalar;
+  dealii::hp::FECollection<dim> elements; ///< 0: every field; 1: no potential
+  dealii::DoFHandler<dim> dofs;
+  std::vector<std::vector<int>> position; ///< [fe_index][a * n_components + c], -1 if absent
+  std::vector<dealii::IndexSet> owned_dofs, relevant_dofs;
+  std::vector<Cell<dim>> own_cells;
+};
+
+} // namespace thelma

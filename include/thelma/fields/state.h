@@ -1,0 +1,45 @@
+#pragma once
+
+#include <thelma/fields/layout.h>
+
+#include <vector>
+
+namespace thelma
+{
+
+/// The iterate, the load it belongs to, and the accepted states behind it.
+class State
+{
+public:
+  /// Begin a path at load 0 with @p x as its accepted start.
+  void start(BlockVector x);
+
+  /// Remember the iterate as the converged state at the load factor @p load.
+  void accept(double load);
+
+  /// Return to the last accepted state.
+  void restore() { x = past.back().x; }
+
+  /// Extrapolate the last accepted states (up to three) to @p load.
+  void predict(double load);
+
+  /// Load factor of the last accepted state.
+  double accepted_load() const { return past.back().load; }
+
+  /// The load at which the path through the last three accepted states turns back, from the
+  /// parabola load(arc length of displacements); infinity while the load does not slow down.
+  double estimated_limit() const;
+
+  BlockVector x;         ///< values of all fields, with ghosts
+  double voltage = 0.;   ///< kV
+  double theta = 0.;     ///< uniform temperature in K
+
+private:
+  struct Accepted {
+    double load;
+    BlockVector x;
+  };
+  std::vector<Accepted> past; ///< at most three, the newest last
+};
+
+} // namespace thelma

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace thelma
+{
+
+/// The table curve.csv: a row per accepted step, columns `name_unit`, the last one `event`.
+class Curve
+{
+public:
+  explicit Curve(std::vector<std::string> columns) : columns(std::move(columns)) {}
+
+  /// @p values has one number per column.
+  void add(const std::vector<double>& values);
+
+  /// Mark the newest row.
+  void set_event(const std::string& event) { rows.back().event = event; }
+
+  /// Write all rows; the file appears whole or not at all.
+  void write(const std::string& file) const;
+
+  bool empty() const { return rows.empty(); }
+  std::size_t n_rows() const { return rows.size(); }
+  const std::vector<std::string>& names() const { return columns; }
+
+  /// Newest value of @p column, or nothing if there is no such column or row.
+  const double* newest(const std::string& column) const;
+
+private:
+  struct Row {
+    std::vector<double> values;
+    std::string event;
+  };
+  std::vector<std::string> columns;
+  std::vector<Row> rows;
+};
+
+/// Write @p content to @p file through a temporary file, so that a reader never sees half of it.
+/// Throws InputError if the folder cannot be written.
+void write_file(const std::string& file, const std::string& content);
+
+} // namespace thelma

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <thelma/output/observables.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace thelma
+{
+
+/// Writes u, phi, theta and the point quantities P, D, E, J as VTU with a .pvd over all steps.
+template <int dim>
+class FieldWriter
+{
+public:
+  void declare(dealii::ParameterHandler& prm);
+
+  /// Write the state as number @p step, if fields are wanted for it.
+  void write(const Scene<dim>& scene, const std::string& folder, unsigned int step, double load,
+             bool last);
+
+private:
+  std::string frequency = "last";
+  std::vector<std::pair<double, std::string>> written;
+};
+
+} // namespace thelma

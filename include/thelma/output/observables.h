@@ -1,0 +1,54 @@
+#pragma once
+
+#include <thelma/assembly/loading.h>
+#include <thelma/assembly/system.h>
+#include <thelma/base/named_list.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace thelma
+{
+
+/// What an observable may look at.
+template <int dim>
+struct Scene {
+  const MaterialLibrary& materials;
+  const Mesh<dim>& mesh;
+  const FieldLayout<dim>& layout;
+  const BoundaryConditions<dim>& conditions;
+  const System<dim>& system;
+  const State& state;
+};
+
+/// Volume mean of the temperature in K.
+template <int dim>
+double mean_temperature(const Scene<dim>& scene);
+
+/// One or a few named numbers per accepted step. A new observable is one file and one line in
+/// list.cc; its parameters stand in the section Observables/<its name>.
+template <int dim>
+class Observable
+{
+public:
+  virtual ~Observable() = default;
+  virtual void declare(dealii::ParameterHandler&) {}
+  virtual void setup(const Scene<dim>&) {}
+
+  /// Column names with their unit, such as `charge_uC`.
+  virtual std::vector<std::string> columns() const = 0;
+  virtual std::vector<double> evaluate(const Scene<dim>& scene) const = 0;
+};
+
+template <int dim>
+const NamedList<Observable<dim>>& observables();
+
+template <int dim>
+std::unique_ptr<Observable<dim>> make_charge();
+template <int dim>
+std::unique_ptr<Observable<dim>> make_energy();
+template <int dim>
+std::unique_ptr<Observable<dim>> make_stretch(unsigned int direction);
+
+} // namespace thelma

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <thelma/base/error.h>
+#include <thelma/base/timings.h>
+#include <thelma/output/curve.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace thelma
+{
+
+/// Two fields e between which the stable branch ends.
+struct Bracket {
+  double e_below, e_above;
+  double e_estimated; ///< vertex of the parabola through the last three states
+};
+
+/// How a run ended and what it cost.
+struct Outcome {
+  ExitCode code = ExitCode::success;
+  std::string name = "target reached"; ///< or `pull-in`, `instability`, `no convergence`, ...
+  std::string reason;                  ///< a sentence
+  std::optional<Bracket> pull_in;
+
+  unsigned int steps = 0, failed_steps = 0, newton_iterations = 0;
+  double seconds = 0.;
+  std::map<std::string, double> seconds_per_phase;
+  std::map<std::string, unsigned long long> unknowns;
+  unsigned long long cells = 0;
+  std::vector<std::string> modelled;
+  std::vector<std::pair<std::string, double>> final_values; ///< newest row of the curve
+};
+
+/// Values a .prm expects at the end, each a muParser expression of theta (K).
+class Expectations
+{
+public:
+  void declare(dealii::ParameterHandler& prm);
+
+  /// Evaluate the expressions at the temperature @p theta in K. Throws InputError for a column
+  /// that is not among @p columns or an expression that cannot be read.
+  void setup(const std::vector<std::string>& columns, double theta);
+
+  /// Empty if all hold, otherwise a sentence about the first that does not.
+  std::string check(const Curve& curve) const;
+
+private:
+  std::map<std::string, std::string> values;
+  std::map<std::string, double> expected;
+  double tolerance = 1e-3;
+};
+
+/// Write run.json, where programs look up what happened.
+void write_run_report(const Outcome& outcome, const std::string& scene, const std::string& file);
+
+} // namespace thelma

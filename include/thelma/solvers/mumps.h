@@ -1,0 +1,48 @@
+#pragma once
+
+#include <thelma/solvers/newton.h>
+
+#include <deal.II/lac/la_parallel_block_vector.h>
+#include <deal.II/lac/trilinos_block_sparse_matrix.h>
+
+#include <dmumps_c.h>
+
+#include <vector>
+
+namespace thelma
+{
+
+/// Sparse direct solver. MUMPS is called through its own C interface because Amesos always
+/// factorises unsymmetrically, at twice the time and memory and without the inertia.
+class Mumps
+{
+public:
+  /// @p symmetric: LDL^T of a symmetric indefinite matrix, otherwise LU.
+  Mumps(MPI_Comm comm, bool symmetric);
+  ~Mumps();
+  Mumps(const Mumps&) = delete;
+  Mumps& operator=(const Mumps&) = delete;
+
+  /// Factorise; the analysis of the first call serves as long as the pattern stands.
+  LinearReport factorise(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix);
+
+  /// Replace the owned entries of @p vector by the solution with them as right-hand side.
+  void solve(dealii::LinearAlgebra::distributed::BlockVector<double>& vector);
+
+private:
+  void collect_pattern(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix);
+  void collect_values(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix);
+  void collect_layout(const dealii::LinearAlgebra::distributed::BlockVector<double>& vector);
+  void run(int job);
+  LinearReport outcome() const;
+
+  MPI_Comm comm;
+  DMUMPS_STRUC_C mumps;
+  std::vector<int> rows, columns;
+  std::vector<double> values;
+  std::vector<int> own_indices;                       ///< of this rank's vector entries
+  std::vector<int> gathered_indices, counts, offsets; ///< of all ranks', on rank 0
+  bool analysed = false;
+};
+
+} // namespace thelma

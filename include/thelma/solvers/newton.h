@@ -1,0 +1,64 @@
+#pragma once
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace thelma
+{
+
+/// Size of a residual, each field in units of its own (theory.md, "Residual norms").
+struct ResidualReport {
+  double norm;      ///< largest of the fields' scaled norms
+  double min_det_F; ///< over every quadrature point of every rank
+  bool admissible() const { return min_det_F > 0. && norm < 1e300; }
+};
+
+/// Outcome of one linear solve.
+struct LinearReport {
+  bool solved;
+  std::string reason;            ///< why not
+  long long negative_pivots = 0; ///< of a symmetric factorisation
+};
+
+/// What Newton's method needs to know of a nonlinear system.
+class NonlinearSystem
+{
+public:
+  virtual ~NonlinearSystem() = default;
+
+  /// Residual at the current iterate.
+  virtual ResidualReport residual() = 0;
+
+  /// Linearise at the current iterate, which becomes the base, and solve for the correction.
+  virtual LinearReport linear_solve() = 0;
+
+  /// Iterate = base + @p step * correction.
+  virtual void move_to(double step) = 0;
+};
+
+/// Outcome of one nonlinear solve; a failure is a value.
+struct NewtonReport {
+  bool converged = false;
+  std::string reason; ///< why not
+  unsigned int iterations = 0;
+  std::vector<double> residuals;
+  double min_det_F = 0.;
+  long long negative_pivots = 0; ///< of the last tangent
+};
+
+/// Newton's method. The line search only keeps det F > 0: near incompressibility the residual of
+/// a good step may well grow before it falls.
+class Newton
+{
+public:
+  void declare(dealii::ParameterHandler& prm);
+  NewtonReport solve(NonlinearSystem& system) const;
+
+private:
+  double tolerance = 1e-10;
+  unsigned int max_iterations = 14;
+};
+
+} // namespace thelma

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace thelma
+{
+
+/// Chooses load factors between 0 and 1: grows after easy steps, shrinks after hard ones, halves
+/// after failures, and brackets a load beyond which there is no state.
+class Stepper
+{
+public:
+  void declare(dealii::ParameterHandler& prm);
+
+  /// Begin at load 0; give up when a failed load is within @p resolution of an accepted one.
+  void start(double resolution) { start(resolution, initial); }
+  void start(double resolution, double first_step);
+
+  /// Next load factor to try.
+  double next();
+  void accept(unsigned int newton_iterations);
+  void cut_back();
+
+  bool finished() const { return load >= 1.; }
+  bool exhausted() const { return failed_from == load && upper - load <= resolution; }
+
+  double accepted() const { return load; }
+  double step() const { return size; }
+
+  /// Smallest load factor known to fail; above 1 if there is none.
+  double failed() const { return upper; }
+
+private:
+  double initial = 0.05, largest = 0.1;
+  unsigned int easy = 4, hard = 8;
+
+  double resolution = 0., load = 0., size = 0., trial = 0.;
+  double upper = 2., failed_from = -1.;
+};
+
+} // namespace thelma

@@ -1,0 +1,177 @@
+#include <thelma/assembly/system.h>
+#include <thelma/base/parameters.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace thelma
+{
+
+template <int dim>
+System<dim>::System(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
+                    State& state, Timings& timings)
+    : layout(layout), conditions(conditions), state(state), timings(timings)
+{
+}
+
+template <int dim>
+void System<dim>::declare(dealii::ParameterHandler& prm)
+{
+  std::string names;
+  for (const std::string& name : formulations<dim>().names())
+    names += (names.empty() ? "" : "|") + name;
+  const Section section(prm, {"Discretisation"});
+  prm.add_parameter("Formulation", formulation_name,
+                    "Element formulation: how the nearly incompressible volumetric energy is "
+                    "integrated.",
+                    dealii::Patterns::Selection(names));
+}
+
+template <int dim>
+void System<dim>::setup()
+{
+  const auto timer = timings.measure("setup");
+  formulation = formulations<dim>().create(formulation_name);
+  formulation->setup(layout);
+  matrix.setup(layout, conditions);
+  solver = std::make_unique<Mumps>(layout.communicator(), is_symmetric());
+  raw_residual = layout.new_vector();
+  correction = layout.new_vector();
+  base = layout.new_vector();
+  compute_scales();
+}
+
+template <int dim>
+void System<dim>::for_each_cell(const std::function<void(const CellView<dim>&)>& visit) const
+{
+  std::vector<double> x;
+  std::size_t index = 0;
+  for (const Cell<dim>& cell : layout.cells()) {
+    x.resize(cell.dofs.size());
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] = state.x(cell.dofs[i]);
+    visit({index++, cell, x.data(), state.theta, layout.has(Field::temperature)});
+  }
+}
+
+template <int dim>
+void System<dim>::compute_scales()
+{
+  const Integration<dim> rule(layout, layout.degree() + 1);
+  BlockVector forces = layout.new_vector();
+  for_each_cell([&](const CellView<dim>& view) {
+    const Material& material = *view.cell.material;
+    const double mu = material.shear_modulus(state.theta);
+    const double D = std::sqrt(mu * material.permittivity(state.theta));
+    const int n_c = view.cell.n_components;
+    for (unsigned int q = 0; q < rule.basis().n_points; ++q) {
+      const auto& point = rule.of_cell(view.index)[q];
+      for (unsigned int a = 0; a < rule.basis().n_nodes; ++a) {
+        dealii::Tensor<1, dim> reference;
+        for (int K = 0; K < dim; ++K)
+          reference[K] = rule.basis().dN[(q * dim + K) * rule.basis().n_nodes + a];
+        const double size =
+            point.JxW * (dealii::transpose(point.inverse_jacobian) * reference).norm();
+        for (int c = 0; c < n_c; ++c)
+          forces(view.cell.dofs[a * n_c + c]) +=
+              size * (c < dim                               ? mu
+                      : c == dim && view.cell.has_potential ? D
+                                                            : material.thermal.k);
+      }
+    }
+  });
+  forces.compress(dealii::VectorOperation::add);
+  conditions.constraints().set_zero(forces);
+  scales.clear();
+  for (unsigned int b = 0; b < forces.n_blocks(); ++b) {
+    const double norm = forces.block(b).l2_norm();
+    scales.push_back(norm > 0. ? norm : 1.);
+  }
+}
+
+template <int dim>
+ResidualReport System<dim>::residual()
+{
+  const auto timer = timings.measure("residual");
+  CellResult result;
+  double min_det_F = std::numeric_limits<double>::max();
+  raw_residual = 0.;
+  for_each_cell([&](const CellView<dim>& view) {
+    formulation->residual(view, result);
+    min_det_F = std::min(min_det_F, result.min_det_F);
+    for (std::size_t i = 0; i < view.cell.dofs.size(); ++i)
+      raw_residual(view.cell.dofs[i]) += result.residual[i];
+  });
+  raw_residual.compress(dealii::VectorOperation::add);
+
+  const BlockVector residual = free_residual();
+  double norm = 0.;
+  for (unsigned int b = 0; b < residual.n_blocks(); ++b)
+    norm = std::max(norm, residual.block(b).l2_norm() / scales[b]);
+  min_det_F = dealii::Utilities::MPI::min(min_det_F, layout.communicator());
+  if (std::isnan(norm))
+    norm = std::numeric_limits<double>::infinity();
+  return {norm, min_det_F};
+}
+
+template <int dim>
+BlockVector System<dim>::free_residual() const
+{
+  BlockVector residual = raw_residual;
+  residual.zero_out_ghost_values();
+  conditions.constraints().set_zero(residual);
+  return residual;
+}
+
+template <int dim>
+void System<dim>::assemble_tangent()
+{
+  const auto timer = timings.measure("tangent");
+  CellResult result;
+  matrix.clear();
+  for_each_cell([&](const CellView<dim>& view) {
+    formulation->tangent(view, result);
+    matrix.add(view.index, view.cell, result.tangent);
+  });
+  matrix.finish();
+}
+
+template <int dim>
+LinearReport System<dim>::linear_solve()
+{
+  assemble_tangent();
+  const auto timer = timings.measure("linear solve");
+  base = state.x;
+  LinearReport report = solver->factorise(matrix.matrix());
+  if (!report.solved)
+    return report;
+  correction = free_residual();
+  correction *= -1.;
+  solver->solve(correction);
+  conditions.constraints().set_zero(correction);
+  return report;
+}
+
+template <int dim>
+void System<dim>::move_to(const double step)
+{
+  state.x = base;
+  state.x.add(step, correction);
+  state.x.update_ghost_values();
+}
+
+template <int dim>
+long long System<dim>::unstable_directions(const long long negative_pivots) const
+{
+  const long long expected = layout.has(Field::potential)
+                                 ? static_cast<long long>(conditions.n_free(layout, Field::potential))
+                                 : 0;
+  return negative_pivots - expected;
+}
+
+template class System<2>;
+template class System<3>;
+
+} // namespace thelma

@@ -1,0 +1,150 @@
+#include <thelma/assembly/tangent_matrix.h>
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/block_sparsity_pattern.h>
+#include <deal.II/lac/sparsity_tools.h>
+
+#include <Epetra_CrsMatrix.h>
+
+#include <algorithm>
+
+namespace thelma
+{
+
+template <int dim>
+void TangentMatrix<dim>::setup(const FieldLayout<dim>& layout,
+                               const BoundaryConditions<dim>& conditions)
+{
+  constraints = &conditions.constraints();
+  make_pattern(layout);
+  find_positions(layout);
+}
+
+template <int dim>
+void TangentMatrix<dim>::make_pattern(const FieldLayout<dim>& layout)
+{
+  dealii::BlockDynamicSparsityPattern pattern(layout.relevant());
+  for (const Cell<dim>& cell : layout.cells())
+    constraints->add_entries_local_to_global(cell.dofs, pattern, false);
+  dealii::IndexSet relevant(layout.dof_handler().n_dofs());
+  dealii::types::global_dof_index begin = 0;
+  for (const dealii::IndexSet& block : layout.relevant()) {
+    relevant.add_indices(block, begin);
+    begin += block.size();
+  }
+  dealii::SparsityTools::distribute_sparsity_pattern(
+      pattern, layout.dof_handler().locally_owned_dofs(), layout.communicator(), relevant);
+  tangent.reinit(layout.owned(), pattern, layout.communicator());
+  tangent.compress(dealii::VectorOperation::add);
+}
+
+template <int dim>
+double* TangentMatrix<dim>::entry(const dealii::types::global_dof_index row,
+                                  const dealii::types::global_dof_index column)
+{
+  const auto& start = tangent.get_row_indices();
+  const auto [i, r] = start.global_to_local(row);
+  const auto [j, c] = start.global_to_local(column);
+  const Epetra_CrsMatrix& block = tangent.block(i, j).trilinos_matrix();
+  int n = 0;
+  double* values = nullptr;
+  int* columns = nullptr;
+  block.ExtractMyRowView(block.LRID(static_cast<int>(r)), n, values, columns);
+  return values + (std::find(columns, columns + n, block.LCID(static_cast<int>(c))) - columns);
+}
+
+template <int dim>
+void TangentMatrix<dim>::find_positions(const FieldLayout<dim>& layout)
+{
+  const dealii::IndexSet owned = layout.dof_handler().locally_owned_dofs();
+  const unsigned int n_blocks = tangent.n_block_rows();
+  block_values.clear();
+  for (unsigned int i = 0; i < n_blocks; ++i)
+    for (unsigned int j = 0; j < n_blocks; ++j) {
+      int *row_starts = nullptr, *columns = nullptr;
+      block_values.push_back(nullptr);
+      const int error = tangent.block(i, j).trilinos_matrix().ExtractCrsDataPointers(
+          row_starts, columns, block_values.back());
+      AssertThrow(error == 0, dealii::ExcMessage("the matrix is not stored contiguously"));
+    }
+
+  fixed_diagonals.clear();
+  for (const auto& line : constraints->get_lines())
+    if (owned.is_element(line.index))
+      fixed_diagonals.push_back(entry(line.index, line.index));
+
+  positions.clear();
+  blocks.clear();
+  for (const Cell<dim>& cell : layout.cells()) {
+    const std::size_t n = cell.dofs.size();
+    std::vector<unsigned int> block(n);
+    for (std::size_t i = 0; i < n; ++i)
+      block[i] = layout.block_of_dof(cell.dofs[i]);
+    std::vector<int> place(n * n, skipped);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        if (!constraints->is_constrained(cell.dofs[i]) && !constraints->is_constrained(cell.dofs[j]))
+          place[i * n + j] =
+              owned.is_element(cell.dofs[i])
+                  ? static_cast<int>(entry(cell.dofs[i], cell.dofs[j]) -
+                                     block_values[block[i] * n_blocks + block[j]])
+                  : elsewhere;
+    positions.push_back(std::move(place));
+    blocks.push_back(std::move(block));
+  }
+}
+
+template <int dim>
+void TangentMatrix<dim>::clear()
+{
+  tangent = 0.;
+  for (double* diagonal : fixed_diagonals)
+    *diagonal = 1.;
+}
+
+template <int dim>
+void TangentMatrix<dim>::add(const std::size_t index, const Cell<dim>& cell,
+                             const std::vector<double>& entries)
+{
+  const std::size_t n = cell.dofs.size();
+  const unsigned int n_blocks = tangent.n_block_rows();
+  const std::vector<unsigned int>& block = blocks[index];
+  for (std::size_t i = 0; i < n; ++i) {
+    const int* place = positions[index].data() + i * n;
+    const double* row = entries.data() + i * n;
+    double* const* values = block_values.data() + block[i] * n_blocks;
+    bool away = false;
+    for (std::size_t j = 0; j < n; ++j)
+      if (place[j] >= 0)
+        values[block[j]][place[j]] += row[j];
+      else
+        away = away || place[j] == elsewhere;
+    if (away)
+      add_row(cell.dofs[i], cell, row);
+  }
+}
+
+template <int dim>
+void TangentMatrix<dim>::add_row(const dealii::types::global_dof_index row, const Cell<dim>& cell,
+                                 const double* entries)
+{
+  std::vector<dealii::types::global_dof_index> columns;
+  std::vector<double> values;
+  for (std::size_t j = 0; j < cell.dofs.size(); ++j)
+    if (!constraints->is_constrained(cell.dofs[j])) {
+      columns.push_back(cell.dofs[j]);
+      values.push_back(entries[j]);
+    }
+  tangent.add(row, columns.size(), columns.data(), values.data(), false);
+}
+
+template <int dim>
+void TangentMatrix<dim>::finish()
+{
+  tangent.compress(dealii::VectorOperation::add);
+}
+
+template class TangentMatrix<2>;
+template class TangentMatrix<3>;
+
+} // namespace thelma

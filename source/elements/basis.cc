@@ -1,0 +1,44 @@
+#include <thelma/elements/basis.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+namespace thelma
+{
+
+template <int dim>
+Basis<dim>::Basis(const dealii::FiniteElement<dim>& scalar, const dealii::Quadrature<dim>& rule)
+    : n_points(rule.size()), n_nodes(scalar.dofs_per_cell)
+{
+  for (unsigned int q = 0; q < n_points; ++q) {
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      N.push_back(scalar.shape_value(a, rule.point(q)));
+    for (unsigned int d = 0; d < dim; ++d)
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        dN.push_back(scalar.shape_grad(a, rule.point(q))[d]);
+  }
+}
+
+template <int dim>
+Integration<dim>::Integration(const FieldLayout<dim>& layout, const unsigned int n_points)
+    : rule(dealii::QGauss<dim>(n_points)), shape(layout.scalar_element(), rule)
+{
+  using dealii::update_inverse_jacobians;
+  using dealii::update_JxW_values;
+  dealii::FEValues<dim> values(layout.scalar_element(), rule,
+                               update_inverse_jacobians | update_JxW_values);
+  for (const Cell<dim>& cell : layout.cells()) {
+    values.reinit(
+        typename dealii::Triangulation<dim>::active_cell_iterator(cell.iterator));
+    for (unsigned int q = 0; q < shape.n_points; ++q)
+      geometry.push_back(
+          {dealii::Tensor<2, dim>(values.inverse_jacobian(q)), values.JxW(q)});
+  }
+}
+
+template struct Basis<2>;
+template struct Basis<3>;
+template class Integration<2>;
+template class Integration<3>;
+
+} // namespace thelma

@@ -1,0 +1,19 @@
+#include <thelma/elements/formulation.h>
+
+namespace thelma
+{
+
+/// The element formulations a .prm can choose.
+template <int dim>
+const NamedList<Formulation<dim>>& formulations()
+{
+  static const NamedList<Formulation<dim>> list(
+      "element formulation", {{"selective reduced", make_selective_reduced<dim>},
+                              {"standard", make_standard<dim>}});
+  return list;
+}
+
+template const NamedList<Formulation<2>>& formulations();
+template const NamedList<Formulation<3>>& formulations();
+
+} // namespace thelma

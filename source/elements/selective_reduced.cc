@@ -1,0 +1,53 @@
+#include <thelma/elements/integrate.h>
+
+#include <optional>
+
+namespace thelma
+{
+namespace
+{
+
+/// The volumetric energy at the Gauss rule of one point less per direction, the rest at the full
+/// one (theory.md, eq. 15): the paper's cure for volumetric locking.
+template <int dim>
+class SelectiveReduced final : public Formulation<dim>
+{
+public:
+  void setup(const FieldLayout<dim>& layout) override
+  {
+    full.emplace(layout, layout.degree() + 1);
+    reduced.emplace(layout, layout.degree());
+  }
+
+  void residual(const CellView<dim>& view, CellResult& result) const override
+  {
+    result.reset(view.cell.dofs.size(), false);
+    integrate<WithoutVolumetric>(*full, view, false, result);
+    integrate<VolumetricOnly>(*reduced, view, false, result);
+  }
+
+  void tangent(const CellView<dim>& view, CellResult& result) const override
+  {
+    result.reset(view.cell.dofs.size(), true);
+    integrate<WithoutVolumetric>(*full, view, true, result);
+    integrate<VolumetricOnly>(*reduced, view, true, result);
+    if (!view.has_temperature)
+      mirror(view.cell.dofs.size(), result.tangent.data());
+  }
+
+private:
+  std::optional<Integration<dim>> full, reduced;
+};
+
+} // namespace
+
+template <int dim>
+std::unique_ptr<Formulation<dim>> make_selective_reduced()
+{
+  return std::make_unique<SelectiveReduced<dim>>();
+}
+
+template std::unique_ptr<Formulation<2>> make_selective_reduced();
+template std::unique_ptr<Formulation<3>> make_selective_reduced();
+
+} // namespace thelma

@@ -1,0 +1,46 @@
+#include <thelma/elements/integrate.h>
+
+#include <optional>
+
+namespace thelma
+{
+namespace
+{
+
+/// Every energy at the full Gauss rule. Locks for nearly incompressible bodies at p = 1.
+template <int dim>
+class Standard final : public Formulation<dim>
+{
+public:
+  void setup(const FieldLayout<dim>& layout) override { full.emplace(layout, layout.degree() + 1); }
+
+  void residual(const CellView<dim>& view, CellResult& result) const override
+  {
+    result.reset(view.cell.dofs.size(), false);
+    integrate<WholeEnergy>(*full, view, false, result);
+  }
+
+  void tangent(const CellView<dim>& view, CellResult& result) const override
+  {
+    result.reset(view.cell.dofs.size(), true);
+    integrate<WholeEnergy>(*full, view, true, result);
+    if (!view.has_temperature)
+      mirror(view.cell.dofs.size(), result.tangent.data());
+  }
+
+private:
+  std::optional<Integration<dim>> full;
+};
+
+} // namespace
+
+template <int dim>
+std::unique_ptr<Formulation<dim>> make_standard()
+{
+  return std::make_unique<Standard<dim>>();
+}
+
+template std::unique_ptr<Formulation<2>> make_standard();
+template std::unique_ptr<Formulation<3>> make_standard();
+
+} // namespace thelma

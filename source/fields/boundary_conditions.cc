@@ -1,0 +1,199 @@
+#include <thelma/base/error.h>
+#include <thelma/base/parameters.h>
+#include <thelma/fields/boundary_conditions.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+
+namespace thelma
+{
+namespace
+{
+
+/// Whether the point @p p of the reference cell lies on the face, line or vertex that the local
+/// vertices in @p mask span.
+template <int dim>
+bool lies_on(const dealii::Point<dim>& p, const std::uint8_t mask)
+{
+  for (unsigned int d = 0; d < dim; ++d) {
+    bool low = true, high = true;
+    for (unsigned int v = 0; v < dealii::GeometryInfo<dim>::vertices_per_cell; ++v)
+      if (mask & (1u << v)) {
+        low = low && !(v & (1u << d));
+        high = high && (v & (1u << d));
+      }
+    if ((low && p[d] > 1e-10) || (high && p[d] < 1. - 1e-10))
+      return false;
+  }
+  return true;
+}
+
+/// Components (from 0) named by a text such as "u1 u3".
+std::vector<unsigned int> parse_components(const std::string& text, const int dim,
+                                           const std::string& place)
+{
+  std::vector<unsigned int> components;
+  for (const std::string& word : dealii::Utilities::split_string_list(text, ' ')) {
+    const bool valid = word.size() == 2 && word[0] == 'u' && word[1] >= '1' && word[1] < '1' + dim;
+    if (!valid)
+      throw InputError(place + ": '" + word + "' is no displacement component; write u1, u2" +
+                       (dim == 3 ? ", u3" : "") + " with blanks between");
+    components.push_back(word[1] - '1');
+  }
+  return components;
+}
+
+} // namespace
+
+template <int dim>
+void BoundaryConditions<dim>::declare(dealii::ParameterHandler& prm)
+{
+  using namespace dealii::Patterns;
+  {
+    const Section section(prm, {"Supports"});
+    prm.add_parameter("Fixed", supports,
+                      "Displacement components held at zero on surfaces, lines or points, as "
+                      "`clamp: u1 u2 u3, symmetry: u1`.",
+                      Map(Anything(), Anything(), 0, 100));
+  }
+  {
+    const Section section(prm, {"Electrodes"});
+    prm.add_parameter("Potential", electrodes,
+                      "Potential of each electrode as a multiple of the applied voltage, as "
+                      "`bottom: 0, top: 1`; 0 is ground.",
+                      Map(Anything(), Double(), 0, 100));
+  }
+  const Section section(prm, {"Temperature"});
+  prm.add_parameter("Fixed", temperatures,
+                    "Temperatures of surfaces in K, as `inner: 353`; only for a temperature field.",
+                    Map(Anything(), Double(1.), 0, 100));
+}
+
+template <int dim>
+void BoundaryConditions<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout)
+{
+  fix_supports(mesh, layout);
+  fix_electrodes(mesh, layout);
+  fix_temperatures(mesh, layout);
+
+  owned = layout.dof_handler().locally_owned_dofs();
+  homogeneous.clear();
+  for (const Values* values : {&fixed_dofs, &driven_dofs, &heated_dofs})
+    for (const auto& entry : *values)
+      homogeneous.add_line(entry.first);
+  homogeneous.close();
+}
+
+template <int dim>
+void BoundaryConditions<dim>::fix(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
+                                  const std::string& surface, const std::string& place,
+                                  const unsigned int component, const double value,
+                                  Values& values)
+{
+  const auto& points = layout.scalar_element().get_unit_support_points();
+  std::vector<dealii::types::global_dof_index> indices;
+  const std::size_t before = values.size();
+  for (const auto& [entity, vertices] : mesh.surface(surface, place)) {
+    const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
+        &mesh.triangulation(), entity->level(), entity->index(), &layout.dof_handler());
+    indices.resize(cell->get_fe().dofs_per_cell);
+    cell->get_dof_indices(indices);
+    for (unsigned int a = 0; a < points.size(); ++a)
+      if (lies_on<dim>(points[a], vertices))
+        if (const auto i = layout.local_dof(cell->active_fe_index(), a, component)) {
+          const auto inserted = values.emplace(indices[*i], value);
+          if (inserted.first->second != value)
+            throw InputError(place + ": surface '" + surface +
+                             "' touches another one with a different value; prescribe one value "
+                             "at each point");
+        }
+  }
+  if (values.size() == before && mesh.surface(surface, place).empty())
+    throw InputError(place + ": surface '" + surface + "' touches no cell");
+}
+
+template <int dim>
+void BoundaryConditions<dim>::fix_supports(const Mesh<dim>& mesh, const FieldLayout<dim>& layout)
+{
+  const std::string place = "section Supports, entry 'Fixed'";
+  for (const auto& [surface, components] : supports)
+    for (const unsigned int c : parse_components(components, dim, place))
+      fix(mesh, layout, surface, place, c, 0., fixed_dofs);
+  if (supports.empty())
+    throw InputError(place + ": the body is free to move; fix enough components to hold it");
+}
+
+template <int dim>
+void BoundaryConditions<dim>::fix_electrodes(const Mesh<dim>& mesh, const FieldLayout<dim>& layout)
+{
+  const std::string place = "section Electrodes, entry 'Potential'";
+  if (!layout.has(Field::potential)) {
+    if (!electrodes.empty())
+      throw InputError(place + ": every region is passive, so there is no potential; remove the "
+                               "electrodes or make a region active");
+    return;
+  }
+  const auto is_ground = [](const auto& electrode) { return electrode.second == 0.; };
+  if (std::none_of(electrodes.begin(), electrodes.end(), is_ground))
+    throw InputError(place + ": there is no ground electrode; give one surface the potential 0");
+  for (const auto& [surface, factor] : electrodes) {
+    const std::size_t before = driven_dofs.size();
+    fix(mesh, layout, surface, place, layout.first_component(Field::potential), factor,
+        driven_dofs);
+    if (driven_dofs.size() == before)
+      throw InputError(place + ": surface '" + surface +
+                       "' touches only regions without electric field");
+  }
+}
+
+template <int dim>
+void BoundaryConditions<dim>::fix_temperatures(const Mesh<dim>& mesh,
+                                               const FieldLayout<dim>& layout)
+{
+  const std::string place = "section Temperature, entry 'Fixed'";
+  if (layout.has(Field::temperature) == temperatures.empty())
+    throw InputError(place + (temperatures.empty()
+                                  ? ": a steady temperature field needs a surface of known "
+                                    "temperature"
+                                  : ": a uniform temperature is set by 'Value'; remove this entry "
+                                    "or choose Model = steady"));
+  for (const auto& [surface, theta] : temperatures)
+    fix(mesh, layout, surface, place, layout.first_component(Field::temperature), theta,
+        heated_dofs);
+}
+
+template <int dim>
+void BoundaryConditions<dim>::apply(const double voltage, const double theta_start,
+                                    const double heating, BlockVector& x) const
+{
+  for (const auto& [dof, value] : fixed_dofs)
+    if (owned.is_element(dof))
+      x(dof) = value;
+  for (const auto& [dof, factor] : driven_dofs)
+    if (owned.is_element(dof))
+      x(dof) = factor * voltage;
+  for (const auto& [dof, theta] : heated_dofs)
+    if (owned.is_element(dof))
+      x(dof) = theta_start + heating * (theta - theta_start);
+  x.update_ghost_values();
+}
+
+template <int dim>
+dealii::types::global_dof_index BoundaryConditions<dim>::n_free(const FieldLayout<dim>& layout,
+                                                                const Field field) const
+{
+  dealii::types::global_dof_index begin = 0;
+  for (unsigned int b = 0; b < layout.block(field); ++b)
+    begin += layout.owned()[b].size();
+  const dealii::types::global_dof_index end = begin + layout.n_dofs(field);
+  dealii::types::global_dof_index constrained = 0;
+  for (const auto& line : homogeneous.get_lines())
+    constrained += line.index >= begin && line.index < end;
+  return layout.n_dofs(field) - constrained;
+}
+
+template class BoundaryConditions<2>;
+template class BoundaryConditions<3>;
+
+} // namespace thelma

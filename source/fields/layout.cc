@@ -1,0 +1,230 @@
+#include <thelma/base/error.h>
+#include <thelma/base/parameters.h>
+#include <thelma/fields/layout.h>
+
+#include <deal.II/dofs/dof_renumbering.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_system.h>
+
+#include <algorithm>
+
+namespace thelma
+{
+
+std::string field_name(const Field field)
+{
+  switch (field) {
+  case Field::displacement:
+    return "displacement u";
+  case Field::potential:
+    return "potential phi";
+  default:
+    return "temperature theta";
+  }
+}
+
+template <int dim>
+void FieldLayout<dim>::declare(dealii::ParameterHandler& prm)
+{
+  using namespace dealii::Patterns;
+  {
+    const Section section(prm, {"Discretisation"});
+    prm.add_parameter("Degree", polynomial_degree, "Polynomial degree p of every field.",
+                      Integer(1, 2));
+  }
+  {
+    const Section section(prm, {"Regions"});
+    prm.add_parameter("Passive", passive_regions,
+                      "Regions that carry no electric field; the potential is not solved there.",
+                      List(Anything(), 0, 100));
+  }
+  const Section section(prm, {"Temperature"});
+  prm.add_parameter("Model", temperature_model,
+                    "`uniform`: a number, no unknowns; `steady`: conduction in the deformed body.",
+                    Selection("uniform|steady"));
+}
+
+template <int dim>
+void FieldLayout<dim>::setup(const Mesh<dim>& mesh, const MaterialLibrary& materials)
+{
+  const std::vector<std::string>& regions = mesh.regions();
+  for (const std::string& name : passive_regions)
+    if (std::find(regions.begin(), regions.end(), name) == regions.end())
+      throw InputError("section Regions, entry 'Passive': the mesh has no region '" + name +
+                       "'; known: " + comma_separated(regions));
+  for (const std::string& name : materials.regions())
+    if (std::find(regions.begin(), regions.end(), name) == regions.end())
+      throw InputError("section Regions, entry 'Materials': the mesh has no region '" + name +
+                       "'; known: " + comma_separated(regions));
+
+  const auto is_passive = [&](const std::string& region) {
+    return std::find(passive_regions.begin(), passive_regions.end(), region) !=
+           passive_regions.end();
+  };
+  present = {Field::displacement};
+  if (!std::all_of(regions.begin(), regions.end(), is_passive))
+    present.push_back(Field::potential);
+  if (temperature_model != "uniform")
+    present.push_back(Field::temperature);
+
+  build_elements();
+  dofs.reinit(mesh.triangulation());
+  for (const auto& cell : dofs.active_cell_iterators())
+    if (!cell->is_artificial())
+      cell->set_active_fe_index(has(Field::potential) && is_passive(mesh.region_of(cell)) ? 1 : 0);
+  dofs.distribute_dofs(elements);
+  number_blockwise();
+  collect_cells(mesh, materials);
+}
+
+template <int dim>
+void FieldLayout<dim>::build_elements()
+{
+  scalar = std::make_unique<dealii::FE_Q<dim>>(polynomial_degree);
+  const dealii::FE_Nothing<dim> nothing;
+  for (const bool with_potential : {true, false}) {
+    if (!with_potential && !has(Field::potential))
+      break;
+    std::vector<const dealii::FiniteElement<dim>*> bases;
+    for (const Field field : present) {
+      const bool absent = field == Field::potential && !with_potential;
+      bases.insert(bases.end(), field == Field::displacement ? dim : 1, nullptr);
+      for (auto& base : bases)
+        if (base == nullptr)
+          base = absent ? static_cast<const dealii::FiniteElement<dim>*>(&nothing) : scalar.get();
+    }
+    elements.push_back(
+        dealii::FESystem<dim>(bases, std::vector<unsigned int>(bases.size(), 1)));
+
+    const dealii::FiniteElement<dim>& fe = elements[elements.size() - 1];
+    position.emplace_back(scalar->dofs_per_cell * n_components(), -1);
+    for (unsigned int i = 0; i < fe.dofs_per_cell; ++i) {
+      const auto [c, a] = fe.system_to_component_index(i);
+      position.back()[a * n_components() + c] = static_cast<int>(i);
+    }
+  }
+}
+
+template <int dim>
+void FieldLayout<dim>::number_blockwise()
+{
+  std::vector<unsigned int> block_of(n_components());
+  for (unsigned int c = 0; c < n_components(); ++c)
+    block_of[c] = block_of_component(c);
+  dealii::DoFRenumbering::component_wise(dofs, block_of);
+
+  const auto sizes = dealii::DoFTools::count_dofs_per_fe_block(dofs, block_of);
+  const dealii::IndexSet owned = dofs.locally_owned_dofs();
+  dealii::IndexSet active;
+  dealii::DoFTools::extract_locally_active_dofs(dofs, active);
+  dealii::types::global_dof_index begin = 0;
+  for (const auto size : sizes) {
+    owned_dofs.push_back(owned.get_view(begin, begin + size));
+    relevant_dofs.push_back(active.get_view(begin, begin + size));
+    begin += size;
+  }
+}
+
+template <int dim>
+void FieldLayout<dim>::collect_cells(const Mesh<dim>& mesh, const MaterialLibrary& materials)
+{
+  for (const std::string& region : mesh.regions())
+    materials.of_region(region); // every rank complains about a missing material
+
+  std::vector<dealii::types::global_dof_index> indices;
+  for (const auto& iterator : dofs.active_cell_iterators())
+    if (iterator->is_locally_owned()) {
+      Cell<dim> cell;
+      const unsigned int fe_index = iterator->active_fe_index();
+      cell.iterator = iterator;
+      cell.material = &materials.of_region(mesh.region_of(iterator));
+      cell.has_potential = has(Field::potential) && fe_index == 0;
+      indices.resize(iterator->get_fe().dofs_per_cell);
+      iterator->get_dof_indices(indices);
+      for (const int i : position[fe_index])
+        if (i >= 0)
+          cell.dofs.push_back(indices[i]);
+      cell.n_components = cell.dofs.size() / scalar->dofs_per_cell;
+      own_cells.push_back(std::move(cell));
+    }
+}
+
+template <int dim>
+bool FieldLayout<dim>::has(const Field field) const
+{
+  return std::find(present.begin(), present.end(), field) != present.end();
+}
+
+template <int dim>
+unsigned int FieldLayout<dim>::block(const Field field) const
+{
+  return std::find(present.begin(), present.end(), field) - present.begin();
+}
+
+template <int dim>
+unsigned int FieldLayout<dim>::first_component(const Field field) const
+{
+  return field == Field::displacement ? 0 : dim - 1 + block(field);
+}
+
+template <int dim>
+unsigned int FieldLayout<dim>::block_of_component(const unsigned int component) const
+{
+  return component < dim ? 0 : component - dim + 1;
+}
+
+template <int dim>
+unsigned int FieldLayout<dim>::block_of_dof(dealii::types::global_dof_index dof) const
+{
+  unsigned int b = 0;
+  for (; dof >= owned_dofs[b].size(); ++b)
+    dof -= owned_dofs[b].size();
+  return b;
+}
+
+template <int dim>
+unsigned int FieldLayout<dim>::n_components() const
+{
+  return dim - 1 + present.size();
+}
+
+template <int dim>
+BlockVector FieldLayout<dim>::new_vector() const
+{
+  return BlockVector(owned_dofs, relevant_dofs, communicator());
+}
+
+template <int dim>
+std::optional<unsigned int> FieldLayout<dim>::local_dof(const unsigned int fe_index,
+                                                        const unsigned int a,
+                                                        const unsigned int c) const
+{
+  const int i = position[fe_index][a * n_components() + c];
+  return i < 0 ? std::nullopt : std::optional<unsigned int>(i);
+}
+
+template <int dim>
+std::vector<std::string> FieldLayout<dim>::summary() const
+{
+  std::vector<std::string> lines;
+  std::string solved;
+  for (const Field field : present)
+    solved += (solved.empty() ? "" : ", ") + field_name(field) + " (" +
+              std::to_string(n_dofs(field)) + " unknowns)";
+  lines.push_back("solved for: " + solved + ", degree " + std::to_string(polynomial_degree) +
+                  (dim == 2 ? ", plane strain" : ""));
+  if (!has(Field::potential))
+    lines.emplace_back("left out: potential, because every region is passive");
+  else if (!passive_regions.empty())
+    lines.push_back("left out: potential in " + comma_separated(passive_regions) +
+                    ", because Regions/Passive says so");
+  if (!has(Field::temperature))
+    lines.emplace_back("left out: temperature field, because Temperature/Model is uniform");
+  return lines;
+}
+
+template class FieldLayout<2>;
+template class FieldLayout<3>;
+
+} // namespace thelma

@@ -1,0 +1,57 @@
+#include <thelma/fields/state.h>
+
+#include <limits>
+
+namespace thelma
+{
+
+void State::start(BlockVector beginning)
+{
+  x = std::move(beginning);
+  x.update_ghost_values();
+  past = {{0., x}};
+}
+
+void State::accept(const double load)
+{
+  if (past.size() == 3)
+    past.erase(past.begin());
+  past.push_back({load, x});
+}
+
+void State::predict(const double load)
+{
+  x = 0.;
+  for (const Accepted& a : past) {
+    double weight = 1.; // Lagrange's interpolation through the accepted states
+    for (const Accepted& b : past)
+      if (&a != &b)
+        weight *= (load - b.load) / (a.load - b.load);
+    x.add(weight, a.x);
+  }
+  x.update_ghost_values();
+}
+
+double State::estimated_limit() const
+{
+  const double never = std::numeric_limits<double>::infinity();
+  if (past.size() < 3)
+    return never;
+  double arc[3] = {0., 0., 0.};
+  for (int i = 1; i < 3; ++i) {
+    auto step = past[i].x.block(0);
+    step -= past[i - 1].x.block(0);
+    arc[i] = arc[i - 1] + step.l2_norm();
+  }
+  // Newton's divided differences of load over arc length.
+  const double first = (past[1].load - past[0].load) / (arc[1] - arc[0]);
+  const double second =
+      ((past[2].load - past[1].load) / (arc[2] - arc[1]) - first) / (arc[2] - arc[0]);
+  if (!(second < 0.))
+    return never;
+  const double vertex = (arc[0] + arc[1]) / 2. - first / (2. * second);
+  return past[0].load + first * (vertex - arc[0]) +
+         second * (vertex - arc[0]) * (vertex - arc[1]);
+}
+
+} // namespace thelma

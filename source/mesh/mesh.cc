@@ -1,0 +1,165 @@
+#include <thelma/base/error.h>
+#include <thelma/base/parameters.h>
+#include <thelma/mesh/mesh.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace thelma
+{
+
+template std::uint8_t face_vertices<2>(unsigned int);
+template std::uint8_t face_vertices<3>(unsigned int);
+
+namespace
+{
+
+using VertexSet = std::vector<unsigned int>;
+
+/// The sets of local vertices that make the faces, lines (3-D) and vertices of a cell.
+template <int dim>
+std::vector<std::uint8_t> entities_of_a_cell()
+{
+  using Geometry = dealii::GeometryInfo<dim>;
+  std::vector<std::uint8_t> masks;
+  for (unsigned int f = 0; f < Geometry::faces_per_cell; ++f)
+    masks.push_back(face_vertices<dim>(f));
+  if constexpr (dim == 3)
+    for (unsigned int l = 0; l < Geometry::lines_per_cell; ++l)
+      masks.push_back((1u << Geometry::line_to_cell_vertices(l, 0)) |
+                      (1u << Geometry::line_to_cell_vertices(l, 1)));
+  for (unsigned int v = 0; v < Geometry::vertices_per_cell; ++v)
+    masks.push_back(1u << v);
+  return masks;
+}
+
+} // namespace
+
+template <int dim>
+std::uint8_t face_vertices(const unsigned int f)
+{
+  std::uint8_t mask = 0;
+  for (unsigned int v = 0; v < dealii::GeometryInfo<dim>::vertices_per_face; ++v)
+    mask |= 1u << dealii::GeometryInfo<dim>::face_to_cell_vertices(f, v);
+  return mask;
+}
+
+template <int dim>
+Mesh<dim>::Mesh(const MPI_Comm comm)
+    // Every rank knows every cell, hence all constraints; only its own cells cost it work.
+    : tria(comm, dealii::Triangulation<dim>::none, false,
+           dealii::parallel::shared::Triangulation<dim>::partition_metis)
+{
+}
+
+template <int dim>
+void Mesh<dim>::declare(dealii::ParameterHandler& prm)
+{
+  using namespace dealii::Patterns;
+  const Section section(prm, {"Mesh"});
+  prm.add_parameter("File", file,
+                    "A gmsh geometry (.geo) or mesh (.msh) in mm, with named physical groups; looked "
+                    "up from the working directory, then from the parameter file.",
+                    Anything());
+  prm.add_parameter("Parameters", parameters,
+                    "Values for the geometry's parameters, as `L1: 5, n1: 2`.",
+                    Map(Anything(), Double(), 0, 100));
+}
+
+template <int dim>
+void Mesh<dim>::read(const std::string& folder)
+{
+  CoarseMesh coarse;
+  on_rank_0([&]() {
+    const bool here = std::filesystem::exists(file) || std::filesystem::path(file).is_absolute();
+    const std::filesystem::path there = std::filesystem::path(folder) / file;
+    coarse = read_gmsh(here || !std::filesystem::exists(there) ? file : there.string(), parameters,
+                       dim);
+  });
+  coarse = dealii::Utilities::MPI::broadcast(tria.get_communicator(), coarse);
+  create_triangulation(coarse);
+  find_entities(coarse);
+}
+
+template <int dim>
+void Mesh<dim>::create_triangulation(const CoarseMesh& coarse)
+{
+  // gmsh counts the vertices of a quadrilateral around it, deal.II row by row.
+  const std::array<unsigned int, 8> order{{0, 1, 3, 2, 4, 5, 7, 6}};
+  std::vector<dealii::Point<dim>> vertices(coarse.vertices.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    for (unsigned int d = 0; d < dim; ++d)
+      vertices[v][d] = coarse.vertices[v][d];
+
+  std::vector<dealii::CellData<dim>> cells;
+  for (const PhysicalGroup& group : coarse.groups)
+    if (group.dimension == dim) {
+      for (const auto& element : group.elements) {
+        dealii::CellData<dim> cell;
+        for (unsigned int v = 0; v < element.size(); ++v)
+          cell.vertices[v] = element[order[v]];
+        cell.material_id = region_names.size();
+        cells.push_back(cell);
+      }
+      region_names.push_back(group.name);
+    }
+  dealii::GridTools::invert_all_negative_measure_cells(vertices, cells);
+  dealii::GridTools::consistently_order_cells(cells);
+  tria.create_triangulation(vertices, cells, dealii::SubCellData());
+}
+
+template <int dim>
+void Mesh<dim>::find_entities(const CoarseMesh& coarse)
+{
+  std::map<VertexSet, std::vector<std::string>> groups_of;
+  for (const PhysicalGroup& group : coarse.groups)
+    if (group.dimension < dim) {
+      surfaces[group.name];
+      for (VertexSet element : group.elements) {
+        std::sort(element.begin(), element.end());
+        groups_of[element].push_back(group.name);
+      }
+    }
+
+  const std::vector<std::uint8_t> masks = entities_of_a_cell<dim>();
+  for (const auto& cell : tria.active_cell_iterators())
+    for (const std::uint8_t mask : masks) {
+      VertexSet key;
+      for (const unsigned int v : cell->vertex_indices())
+        if (mask & (1u << v))
+          key.push_back(cell->vertex_index(v));
+      std::sort(key.begin(), key.end());
+      const auto found = groups_of.find(key);
+      if (found != groups_of.end())
+        for (const std::string& name : found->second)
+          surfaces[name].push_back({cell, mask});
+    }
+}
+
+template <int dim>
+const std::vector<typename Mesh<dim>::Entity>& Mesh<dim>::surface(const std::string& name,
+                                                                  const std::string& place) const
+{
+  const auto found = surfaces.find(name);
+  if (found == surfaces.end())
+    throw InputError(place + ": the mesh has no surface '" + name +
+                     "'; known: " + comma_separated(surface_names()));
+  return found->second;
+}
+
+template <int dim>
+std::vector<std::string> Mesh<dim>::surface_names() const
+{
+  std::vector<std::string> names;
+  for (const auto& entry : surfaces)
+    names.push_back(entry.first);
+  return names;
+}
+
+template class Mesh<2>;
+template class Mesh<3>;
+
+} // namespace thelma

@@ -1,0 +1,48 @@
+#include <thelma/base/error.h>
+#include <thelma/output/curve.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace thelma
+{
+
+void write_file(const std::string& file, const std::string& content)
+{
+  const std::string temporary = file + ".part";
+  {
+    std::ofstream stream(temporary);
+    stream << content << std::flush;
+    if (!stream)
+      throw InputError("cannot write '" + file + "'; choose another --output folder or make room");
+  }
+  std::filesystem::rename(temporary, file);
+}
+
+void Curve::add(const std::vector<double>& values) { rows.push_back({values, ""}); }
+
+void Curve::write(const std::string& file) const
+{
+  std::ostringstream text;
+  text.precision(15);
+  for (const std::string& column : columns)
+    text << column << ',';
+  text << "event\n";
+  for (const Row& row : rows) {
+    for (const double value : row.values)
+      text << value << ',';
+    text << row.event << '\n';
+  }
+  write_file(file, text.str());
+}
+
+const double* Curve::newest(const std::string& column) const
+{
+  const auto found = std::find(columns.begin(), columns.end(), column);
+  return rows.empty() || found == columns.end() ? nullptr
+                                                : &rows.back().values[found - columns.begin()];
+}
+
+} // namespace thelma

@@ -1,0 +1,153 @@
+#include <thelma/base/parameters.h>
+#include <thelma/output/curve.h>
+#include <thelma/output/fields.h>
+
+#include <deal.II/base/data_out_base.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/numerics/data_out.h>
+#include <deal.II/numerics/data_postprocessor.h>
+
+#include <sstream>
+
+namespace thelma
+{
+namespace
+{
+
+using dealii::DataComponentInterpretation::component_is_part_of_tensor;
+using dealii::DataComponentInterpretation::component_is_part_of_vector;
+using dealii::DataComponentInterpretation::component_is_scalar;
+
+/// P, D, E and J from the material's own functions at the points of the output.
+template <int dim>
+class PointQuantities final : public dealii::DataPostprocessor<dim>
+{
+public:
+  explicit PointQuantities(const Scene<dim>& scene, const MaterialLibrary& materials)
+      : scene(scene), materials(materials)
+  {
+  }
+
+  std::vector<std::string> get_names() const override
+  {
+    std::vector<std::string> names(dim * dim, "P");
+    names.insert(names.end(), dim, "D");
+    names.insert(names.end(), dim, "E");
+    names.emplace_back("J");
+    return names;
+  }
+
+  std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation>
+  get_data_component_interpretation() const override
+  {
+    std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation> kinds(
+        dim * dim, component_is_part_of_tensor);
+    kinds.insert(kinds.end(), 2 * dim, component_is_part_of_vector);
+    kinds.push_back(component_is_scalar);
+    return kinds;
+  }
+
+  dealii::UpdateFlags get_needed_update_flags() const override
+  {
+    return dealii::update_values | dealii::update_gradients;
+  }
+
+  void evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<dim>& input,
+                             std::vector<dealii::Vector<double>>& output) const override
+  {
+    const auto& cell = input.template get_cell<dim>();
+    const Material& material = materials.of_region(scene.mesh.region_of(cell));
+    for (std::size_t q = 0; q < output.size(); ++q) {
+      const PointState<> state = point(input, q);
+      const Kinematics<> kin(state.F);
+      FirstDerivatives<> d = material.first(state);
+      add_volumetric(kin, material.thermal.volumetric(kin.J, state.theta), d);
+      for (int i = 0; i < dim; ++i) {
+        for (int J = 0; J < dim; ++J)
+          output[q][i * dim + J] = d.P[i][J];
+        output[q][dim * dim + i] = d.D[i];
+        output[q][dim * dim + dim + i] = state.E[i];
+      }
+      output[q][dim * dim + 2 * dim] = kin.J;
+    }
+  }
+
+private:
+  PointState<> point(const dealii::DataPostprocessorInputs::Vector<dim>& input,
+                     const std::size_t q) const
+  {
+    PointState<> state;
+    state.theta = scene.state.theta;
+    for (int i = 0; i < 3; ++i)
+      state.F[i][i] = 1.;
+    for (int J = 0; J < dim; ++J)
+      for (int i = 0; i < dim; ++i)
+        state.F[i][J] += input.solution_gradients[q][i][J];
+    if (scene.layout.has(Field::potential))
+      for (int J = 0; J < dim; ++J)
+        state.E[J] =
+            -input.solution_gradients[q][scene.layout.first_component(Field::potential)][J];
+    if (scene.layout.has(Field::temperature))
+      state.theta = input.solution_values[q][scene.layout.first_component(Field::temperature)];
+    return state;
+  }
+
+  const Scene<dim>& scene;
+  const MaterialLibrary& materials;
+};
+
+/// Names and kinds of the solution's own components.
+template <int dim>
+void describe(const FieldLayout<dim>& layout, std::vector<std::string>& names,
+              std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation>& kinds)
+{
+  names.assign(dim, "u");
+  kinds.assign(dim, component_is_part_of_vector);
+  for (const Field field : layout.fields())
+    if (field != Field::displacement) {
+      names.emplace_back(field == Field::potential ? "phi" : "theta");
+      kinds.push_back(component_is_scalar);
+    }
+}
+
+} // namespace
+
+template <int dim>
+void FieldWriter<dim>::declare(dealii::ParameterHandler& prm)
+{
+  const Section section(prm, {"Output"});
+  prm.add_parameter("Fields", frequency,
+                    "For which accepted steps the fields are written as VTU: `every`, `last` or "
+                    "`none`.",
+                    dealii::Patterns::Selection("every|last|none"));
+}
+
+template <int dim>
+void FieldWriter<dim>::write(const Scene<dim>& scene, const std::string& folder,
+                             const unsigned int step, const double load, const bool last)
+{
+  if (frequency == "none" || (frequency == "every") == last)
+    return;
+  std::vector<std::string> names;
+  std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation> kinds;
+  describe(scene.layout, names, kinds);
+  const PointQuantities<dim> quantities(scene, scene.materials);
+  dealii::DataOut<dim> out;
+  out.add_data_vector(scene.layout.dof_handler(), scene.state.x, names, kinds);
+  out.add_data_vector(scene.layout.dof_handler(), scene.state.x, quantities);
+  out.build_patches(scene.layout.degree());
+  const std::string file =
+      out.write_vtu_with_pvtu_record(folder + "/", "fields", step, scene.layout.communicator(), 4);
+
+  written.emplace_back(load, file);
+  if (dealii::Utilities::MPI::this_mpi_process(scene.layout.communicator()) == 0) {
+    std::ostringstream pvd;
+    dealii::DataOutBase::write_pvd_record(pvd, written);
+    write_file(folder + "/fields.pvd", pvd.str());
+  }
+}
+
+template class FieldWriter<2>;
+template class FieldWriter<3>;
+
+} // namespace thelma

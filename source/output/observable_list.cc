@@ -1,0 +1,23 @@
+#include <thelma/output/observables.h>
+
+namespace thelma
+{
+
+/// The observables a .prm can choose.
+template <int dim>
+const NamedList<Observable<dim>>& observables()
+{
+  static const NamedList<Observable<dim>> list = []() {
+    std::vector<std::pair<std::string, typename NamedList<Observable<dim>>::Factory>> entries{
+        {"charge", make_charge<dim>}, {"energy", make_energy<dim>}};
+    for (unsigned int i = 0; i < dim; ++i)
+      entries.emplace_back("lambda_" + std::to_string(i + 1), [i]() { return make_stretch<dim>(i); });
+    return NamedList<Observable<dim>>("observable", entries);
+  }();
+  return list;
+}
+
+template const NamedList<Observable<2>>& observables();
+template const NamedList<Observable<3>>& observables();
+
+} // namespace thelma

@@ -1,0 +1,120 @@
+#include <thelma/base/parameters.h>
+#include <thelma/output/observables.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+namespace thelma
+{
+namespace
+{
+
+/// Mean of one displacement component and of the position over a named surface.
+template <int dim>
+struct SurfaceMean {
+  void setup(const Scene<dim>& scene, const std::string& surface, const std::string& place,
+             const unsigned int component)
+  {
+    const auto& scalar = scene.layout.scalar_element();
+    dealii::FEFaceValues<dim> values(
+        scalar, dealii::QGauss<dim - 1>(scalar.degree + 1),
+        dealii::update_values | dealii::update_JxW_values | dealii::update_quadrature_points);
+    std::vector<dealii::types::global_dof_index> dofs;
+    double area = 0., moment = 0.;
+    for (const auto& entity : scene.mesh.surface(surface, place)) {
+      if (!entity.cell->is_locally_owned())
+        continue;
+      const unsigned int face = face_of(entity.vertices, surface, place);
+      values.reinit(entity.cell, face);
+      const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
+          &scene.mesh.triangulation(), entity.cell->level(), entity.cell->index(),
+          &scene.layout.dof_handler());
+      dofs.resize(cell->get_fe().dofs_per_cell);
+      cell->get_dof_indices(dofs);
+      for (const unsigned int q : values.quadrature_point_indices()) {
+        area += values.JxW(q);
+        moment += values.JxW(q) * values.quadrature_point(q)[component];
+        for (unsigned int a = 0; a < scalar.dofs_per_cell; ++a)
+          weights.emplace_back(dofs[*scene.layout.local_dof(cell->active_fe_index(), a, component)],
+                               values.shape_value(a, q) * values.JxW(q));
+      }
+    }
+    comm = scene.layout.communicator();
+    area = dealii::Utilities::MPI::sum(area, comm);
+    position = dealii::Utilities::MPI::sum(moment, comm) / area;
+    for (auto& weight : weights)
+      weight.second /= area;
+  }
+
+  static unsigned int face_of(const std::uint8_t vertices, const std::string& surface,
+                              const std::string& place)
+  {
+    for (unsigned int f = 0; f < dealii::GeometryInfo<dim>::faces_per_cell; ++f)
+      if (face_vertices<dim>(f) == vertices)
+        return f;
+    throw InputError(place + ": '" + surface + "' is a line or a point; name a surface");
+  }
+
+  double displacement(const BlockVector& x) const
+  {
+    double sum = 0.;
+    for (const auto& [dof, weight] : weights)
+      sum += weight * x(dof);
+    return dealii::Utilities::MPI::sum(sum, comm);
+  }
+
+  MPI_Comm comm = MPI_COMM_SELF;
+  double position = 0.; ///< mm, in the undeformed body
+  std::vector<std::pair<dealii::types::global_dof_index, double>> weights;
+};
+
+/// Mean stretch lambda_i of the body between two surfaces that face each other along X_i.
+template <int dim>
+class Stretch final : public Observable<dim>
+{
+public:
+  explicit Stretch(const unsigned int direction) : direction(direction) {}
+
+  void declare(dealii::ParameterHandler& prm) override
+  {
+    prm.add_parameter("From", from, "Surface at the low end.");
+    prm.add_parameter("To", to, "Surface at the high end.");
+  }
+
+  void setup(const Scene<dim>& scene) override
+  {
+    const std::string place = "section Observables/" + columns().front();
+    low.setup(scene, from, place + ", entry 'From'", direction);
+    high.setup(scene, to, place + ", entry 'To'", direction);
+  }
+
+  std::vector<std::string> columns() const override
+  {
+    return {"lambda_" + std::to_string(direction + 1)};
+  }
+
+  std::vector<double> evaluate(const Scene<dim>& scene) const override
+  {
+    const double change = high.displacement(scene.state.x) - low.displacement(scene.state.x);
+    return {1. + change / (high.position - low.position)};
+  }
+
+private:
+  unsigned int direction;
+  std::string from, to;
+  SurfaceMean<dim> low, high;
+};
+
+} // namespace
+
+template <int dim>
+std::unique_ptr<Observable<dim>> make_stretch(const unsigned int direction)
+{
+  return std::make_unique<Stretch<dim>>(direction);
+}
+
+template std::unique_ptr<Observable<2>> make_stretch(unsigned int);
+template std::unique_ptr<Observable<3>> make_stretch(unsigned int);
+
+} // namespace thelma

@@ -1,0 +1,162 @@
+#include <thelma/solvers/mumps.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <Epetra_CrsMatrix.h>
+
+#include <numeric>
+
+namespace thelma
+{
+namespace
+{
+
+constexpr int initialise = -1, finalise = -2, analyse = 1, factorise_job = 2, solve_job = 3;
+
+/// Call @p visit(row, column, value) for every stored entry of this rank, numbered from 0 over all
+/// blocks, in an order that never changes while the pattern stands.
+template <typename Visitor>
+void for_each_entry(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix,
+                    const Visitor& visit)
+{
+  const auto& row_start = matrix.get_row_indices();
+  const auto& column_start = matrix.get_column_indices();
+  for (unsigned int i = 0; i < matrix.n_block_rows(); ++i)
+    for (unsigned int j = 0; j < matrix.n_block_cols(); ++j) {
+      const Epetra_CrsMatrix& block = matrix.block(i, j).trilinos_matrix();
+      const int row_offset = row_start.block_start(i), column_offset = column_start.block_start(j);
+      for (int r = 0; r < block.NumMyRows(); ++r) {
+        int n = 0;
+        int* local_columns = nullptr;
+        double* entries = nullptr;
+        block.ExtractMyRowView(r, n, entries, local_columns);
+        const int row = row_offset + block.GRID(r);
+        for (int k = 0; k < n; ++k)
+          visit(row, column_offset + block.GCID(local_columns[k]), entries[k]);
+      }
+    }
+}
+
+} // namespace
+
+Mumps::Mumps(const MPI_Comm comm, const bool symmetric) : comm(comm), mumps()
+{
+  mumps.comm_fortran = MPI_Comm_c2f(comm);
+  mumps.par = 1;
+  mumps.sym = symmetric ? 2 : 0;
+  run(initialise);
+  mumps.icntl[0] = mumps.icntl[1] = mumps.icntl[2] = -1; // no messages
+  mumps.icntl[3] = 0;
+  mumps.icntl[6] = 4;   // PORD, the best ordering in Debian's MUMPS
+  mumps.icntl[12] = 1;  // no ScaLAPACK root, whose pivots are not counted
+  mumps.icntl[13] = 50; // per cent of extra workspace for pivoting
+  mumps.icntl[17] = 3;  // every rank brings its own entries
+  mumps.icntl[27] = 1;  // sequential analysis
+}
+
+Mumps::~Mumps() { run(finalise); }
+
+void Mumps::run(const int job)
+{
+  mumps.job = job;
+  dmumps_c(&mumps);
+}
+
+void Mumps::collect_pattern(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix)
+{
+  rows.clear();
+  columns.clear();
+  for_each_entry(matrix, [&](const int i, const int j, double) {
+    if (mumps.sym == 0 || i <= j) {
+      rows.push_back(i + 1);
+      columns.push_back(j + 1);
+    }
+  });
+  values.resize(rows.size());
+  mumps.n = matrix.m();
+  mumps.nnz_loc = rows.size();
+  mumps.irn_loc = rows.data();
+  mumps.jcn_loc = columns.data();
+  mumps.a_loc = values.data();
+}
+
+void Mumps::collect_values(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix)
+{
+  std::size_t n = 0;
+  for_each_entry(matrix, [&](const int i, const int j, const double value) {
+    if (mumps.sym == 0 || i <= j)
+      values[n++] = value;
+  });
+}
+
+LinearReport Mumps::factorise(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix)
+{
+  if (!analysed) {
+    collect_pattern(matrix);
+    collect_values(matrix);
+    run(analyse);
+    if (mumps.infog[0] < 0)
+      return outcome();
+    analysed = true;
+  }
+  collect_values(matrix);
+  run(factorise_job);
+  while ((mumps.infog[0] == -8 || mumps.infog[0] == -9) && mumps.icntl[13] < 1000) {
+    mumps.icntl[13] *= 2; // more delayed pivots than foreseen
+    run(factorise_job);
+  }
+  return outcome();
+}
+
+LinearReport Mumps::outcome() const
+{
+  const int code = mumps.infog[0];
+  if (code >= 0)
+    return {true, "", mumps.infog[11]};
+  return {false,
+          code == -10 ? "the tangent is singular"
+                      : "MUMPS failed with INFOG(1) = " + std::to_string(code) +
+                            ", INFOG(2) = " + std::to_string(mumps.infog[1]),
+          0};
+}
+
+void Mumps::collect_layout(const dealii::LinearAlgebra::distributed::BlockVector<double>& vector)
+{
+  for (const auto index : vector.locally_owned_elements())
+    own_indices.push_back(index);
+  const auto all = dealii::Utilities::MPI::gather(comm, own_indices);
+  for (const auto& indices : all) {
+    offsets.push_back(gathered_indices.size());
+    counts.push_back(indices.size());
+    gathered_indices.insert(gathered_indices.end(), indices.begin(), indices.end());
+  }
+}
+
+void Mumps::solve(dealii::LinearAlgebra::distributed::BlockVector<double>& vector)
+{
+  if (own_indices.empty())
+    collect_layout(vector);
+  std::vector<double> own(own_indices.size()), gathered(gathered_indices.size());
+  for (std::size_t k = 0; k < own.size(); ++k)
+    own[k] = vector(own_indices[k]);
+
+  // The right-hand side and the solution travel through rank 0.
+  MPI_Gatherv(own.data(), own.size(), MPI_DOUBLE, gathered.data(), counts.data(), offsets.data(),
+              MPI_DOUBLE, 0, comm);
+  std::vector<double> dense(gathered.size());
+  for (std::size_t k = 0; k < gathered.size(); ++k)
+    dense[gathered_indices[k]] = gathered[k];
+  mumps.rhs = dense.data();
+  mumps.nrhs = 1;
+  mumps.lrhs = mumps.n;
+  run(solve_job);
+  for (std::size_t k = 0; k < gathered.size(); ++k)
+    gathered[k] = dense[gathered_indices[k]];
+  MPI_Scatterv(gathered.data(), counts.data(), offsets.data(), MPI_DOUBLE, own.data(), own.size(),
+               MPI_DOUBLE, 0, comm);
+
+  for (std::size_t k = 0; k < own.size(); ++k)
+    vector(own_indices[k]) = own[k];
+}
+
+} // namespace thelma

@@ -1,0 +1,65 @@
+#include <thelma/base/parameters.h>
+#include <thelma/solvers/stepper.h>
+
+#include <algorithm>
+
+namespace thelma
+{
+namespace
+{
+constexpr double no_failure = 2.; // above every load factor
+}
+
+void Stepper::declare(dealii::ParameterHandler& prm)
+{
+  using namespace dealii::Patterns;
+  const Section section(prm, {"Stepping"});
+  prm.add_parameter("Initial step", initial, "First load step as a fraction of the target.",
+                    Double(1e-12, 1.));
+  prm.add_parameter("Largest step", largest, "Largest load step as a fraction of the target.",
+                    Double(1e-12, 1.));
+  prm.add_parameter("Easy iterations", easy, "Steps of at most so many Newton iterations grow.",
+                    Integer(1));
+  prm.add_parameter("Hard iterations", hard, "Steps of at least so many Newton iterations shrink.",
+                    Integer(1));
+}
+
+void Stepper::start(const double bracket, const double first_step)
+{
+  resolution = bracket;
+  load = trial = 0.;
+  size = first_step;
+  upper = no_failure;
+  failed_from = -1.;
+}
+
+double Stepper::next()
+{
+  if (upper >= no_failure)
+    trial = load + size > 1. - 1e-12 ? 1. : load + size;
+  else if (upper - load > resolution)
+    trial = std::min(load + size, (load + upper) / 2.);
+  else // so close a failure must show itself again, from here
+    trial = upper;
+  return trial;
+}
+
+void Stepper::accept(const unsigned int newton_iterations)
+{
+  load = trial;
+  if (load >= upper)
+    upper = no_failure;
+  if (newton_iterations <= easy)
+    size = std::min(1.5 * size, largest);
+  else if (newton_iterations >= hard)
+    size /= 2.;
+}
+
+void Stepper::cut_back()
+{
+  upper = std::min(upper, trial);
+  failed_from = load;
+  size = std::min(size, trial - load) / 2.;
+}
+
+} // namespace thelma
