@@ -14,7 +14,10 @@ namespace thelma
 namespace
 {
 
-bool is_rank_0() { return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0; }
+bool is_rank_0()
+{
+  return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+}
 
 double now()
 {
@@ -277,8 +280,8 @@ void Problem<dim>::print_step(const double load, const NewtonReport& report)
        << std::fixed << std::setprecision(4) << "  min det F " << report.min_det_F
        << std::defaultfloat << std::setprecision(3) << "  step size " << stepper.step();
   if (load > 0.)
-    line << "  left at most " << std::fixed << std::setprecision(1)
-         << elapsed * (1. - load) / load << " s";
+    line << "  left at most " << std::fixed << std::setprecision(1) << elapsed * (1. - load) / load
+         << " s";
   console << line.str() << "\n" << std::flush;
 }
 

@@ -165,9 +165,10 @@ void System<dim>::move_to(const double step)
 template <int dim>
 long long System<dim>::unstable_directions(const long long negative_pivots) const
 {
-  const long long expected = layout.has(Field::potential)
-                                 ? static_cast<long long>(conditions.n_free(layout, Field::potential))
-                                 : 0;
+  const long long expected =
+      layout.has(Field::potential)
+          ? static_cast<long long>(conditions.n_free(layout, Field::potential))
+          : 0;
   return negative_pivots - expected;
 }
 

@@ -83,12 +83,12 @@ void TangentMatrix<dim>::find_positions(const FieldLayout<dim>& layout)
     std::vector<int> place(n * n, skipped);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j)
-        if (!constraints->is_constrained(cell.dofs[i]) && !constraints->is_constrained(cell.dofs[j]))
-          place[i * n + j] =
-              owned.is_element(cell.dofs[i])
-                  ? static_cast<int>(entry(cell.dofs[i], cell.dofs[j]) -
-                                     block_values[block[i] * n_blocks + block[j]])
-                  : elsewhere;
+        if (!constraints->is_constrained(cell.dofs[i]) &&
+            !constraints->is_constrained(cell.dofs[j]))
+          place[i * n + j] = owned.is_element(cell.dofs[i])
+                                 ? static_cast<int>(entry(cell.dofs[i], cell.dofs[j]) -
+                                                    block_values[block[i] * n_blocks + block[j]])
+                                 : elsewhere;
     positions.push_back(std::move(place));
     blocks.push_back(std::move(block));
   }

@@ -139,10 +139,10 @@ void ParameterFile::read(dealii::ParameterHandler& prm) const
     const std::string number = match(info, "Line <(\\d+)>");
     const unsigned int line = number.empty() ? 0 : std::stoul(number);
     const std::vector<std::string> section = sections_at(text, line);
-    const std::string place =
-        line == 0 ? path
-                  : (line > n_file_lines ? "command line" : path + ":" + number) + ", " +
-                        section_name(section);
+    const std::string place = line == 0
+                                  ? path
+                                  : (line > n_file_lines ? "command line" : path + ":" + number) +
+                                        ", " + section_name(section);
 
     if (const std::string entry = match(info, "No entry with name <(.*)> was"); !entry.empty())
       throw InputError(place + ": unknown entry '" + entry +
@@ -155,7 +155,8 @@ void ParameterFile::read(dealii::ParameterHandler& prm) const
       throw InputError(place + ": entry '" + entry + "' has the value '" +
                        match(info, "entry value (.*) for the entry") + "' but must be " +
                        match(info, "given pattern: (.*?) ?$"));
-    throw InputError(place + ": " + std::regex_replace(info, std::regex("^ | $|<input string>?"), ""));
+    throw InputError(place + ": " +
+                     std::regex_replace(info, std::regex("^ | $|<input string>?"), ""));
   }
 }
 

@@ -28,11 +28,9 @@ Integration<dim>::Integration(const FieldLayout<dim>& layout, const unsigned int
   dealii::FEValues<dim> values(layout.scalar_element(), rule,
                                update_inverse_jacobians | update_JxW_values);
   for (const Cell<dim>& cell : layout.cells()) {
-    values.reinit(
-        typename dealii::Triangulation<dim>::active_cell_iterator(cell.iterator));
+    values.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell.iterator));
     for (unsigned int q = 0; q < shape.n_points; ++q)
-      geometry.push_back(
-          {dealii::Tensor<2, dim>(values.inverse_jacobian(q)), values.JxW(q)});
+      geometry.push_back({dealii::Tensor<2, dim>(values.inverse_jacobian(q)), values.JxW(q)});
   }
 }
 

@@ -8,8 +8,8 @@ template <int dim>
 const NamedList<Formulation<dim>>& formulations()
 {
   static const NamedList<Formulation<dim>> list(
-      "element formulation", {{"selective reduced", make_selective_reduced<dim>},
-                              {"standard", make_standard<dim>}});
+      "element formulation",
+      {{"selective reduced", make_selective_reduced<dim>}, {"standard", make_standard<dim>}});
   return list;
 }
 

@@ -88,8 +88,7 @@ void BoundaryConditions<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim
 template <int dim>
 void BoundaryConditions<dim>::fix(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
                                   const std::string& surface, const std::string& place,
-                                  const unsigned int component, const double value,
-                                  Values& values)
+                                  const unsigned int component, const double value, Values& values)
 {
   const auto& points = layout.scalar_element().get_unit_support_points();
   std::vector<dealii::types::global_dof_index> indices;

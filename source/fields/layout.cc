@@ -94,8 +94,7 @@ void FieldLayout<dim>::build_elements()
         if (base == nullptr)
           base = absent ? static_cast<const dealii::FiniteElement<dim>*>(&nothing) : scalar.get();
     }
-    elements.push_back(
-        dealii::FESystem<dim>(bases, std::vector<unsigned int>(bases.size(), 1)));
+    elements.push_back(dealii::FESystem<dim>(bases, std::vector<unsigned int>(bases.size(), 1)));
 
     const dealii::FiniteElement<dim>& fe = elements[elements.size() - 1];
     position.emplace_back(scalar->dofs_per_cell * n_components(), -1);

@@ -50,8 +50,7 @@ double State::estimated_limit() const
   if (!(second < 0.))
     return never;
   const double vertex = (arc[0] + arc[1]) / 2. - first / (2. * second);
-  return past[0].load + first * (vertex - arc[0]) +
-         second * (vertex - arc[0]) * (vertex - arc[1]);
+  return past[0].load + first * (vertex - arc[0]) + second * (vertex - arc[0]) * (vertex - arc[1]);
 }
 
 } // namespace thelma

@@ -32,8 +32,14 @@ std::unique_ptr<Material> create(const std::string& elastic, const std::string& 
 
 } // namespace
 
-std::vector<std::string> elastic_law_names() { return names_of<ElasticLaws>(); }
-std::vector<std::string> dielectric_law_names() { return names_of<DielectricLaws>(); }
+std::vector<std::string> elastic_law_names()
+{
+  return names_of<ElasticLaws>();
+}
+std::vector<std::string> dielectric_law_names()
+{
+  return names_of<DielectricLaws>();
+}
 
 MaterialLibrary::MaterialLibrary(const ParameterFile& file)
 {
@@ -115,9 +121,9 @@ const Material& MaterialLibrary::of_region(const std::string& region) const
 {
   const auto found = material_of_region.find(region);
   if (found == material_of_region.end())
-    throw InputError("section Regions, entry 'Materials': the region '" + region +
-                     "' of the mesh has no material; regions named there: " +
-                     comma_separated(regions()));
+    throw InputError(
+        "section Regions, entry 'Materials': the region '" + region +
+        "' of the mesh has no material; regions named there: " + comma_separated(regions()));
   return named(found->second);
 }
 

@@ -60,10 +60,11 @@ void Mesh<dim>::declare(dealii::ParameterHandler& prm)
 {
   using namespace dealii::Patterns;
   const Section section(prm, {"Mesh"});
-  prm.add_parameter("File", file,
-                    "A gmsh geometry (.geo) or mesh (.msh) in mm, with named physical groups; looked "
-                    "up from the working directory, then from the parameter file.",
-                    Anything());
+  prm.add_parameter(
+      "File", file,
+      "A gmsh geometry (.geo) or mesh (.msh) in mm, with named physical groups; looked "
+      "up from the working directory, then from the parameter file.",
+      Anything());
   prm.add_parameter("Parameters", parameters,
                     "Values for the geometry's parameters, as `L1: 5, n1: 2`.",
                     Map(Anything(), Double(), 0, 100));
@@ -76,8 +77,8 @@ void Mesh<dim>::read(const std::string& folder)
   on_rank_0([&]() {
     const bool here = std::filesystem::exists(file) || std::filesystem::path(file).is_absolute();
     const std::filesystem::path there = std::filesystem::path(folder) / file;
-    coarse = read_gmsh(here || !std::filesystem::exists(there) ? file : there.string(), parameters,
-                       dim);
+    coarse =
+        read_gmsh(here || !std::filesystem::exists(there) ? file : there.string(), parameters, dim);
   });
   coarse = dealii::Utilities::MPI::broadcast(tria.get_communicator(), coarse);
   create_triangulation(coarse);

@@ -21,7 +21,10 @@ void write_file(const std::string& file, const std::string& content)
   std::filesystem::rename(temporary, file);
 }
 
-void Curve::add(const std::vector<double>& values) { rows.push_back({values, ""}); }
+void Curve::add(const std::vector<double>& values)
+{
+  rows.push_back({values, ""});
+}
 
 void Curve::write(const std::string& file) const
 {

@@ -31,8 +31,8 @@ public:
     scene.system.for_each_cell([&](const CellView<dim>& view) {
       for (unsigned int q = 0; q < rule->basis().n_points; ++q) {
         const auto& point = rule->of_cell(view.index)[q];
-        const Energies energies =
-            view.cell.material->energies(point_state(view, Gradients<dim>(rule->basis(), q, point)));
+        const Energies energies = view.cell.material->energies(
+            point_state(view, Gradients<dim>(rule->basis(), q, point)));
         sums[0] += point.JxW * energies.elastic;
         sums[1] += point.JxW * energies.electric;
       }

@@ -11,7 +11,8 @@ const NamedList<Observable<dim>>& observables()
     std::vector<std::pair<std::string, typename NamedList<Observable<dim>>::Factory>> entries{
         {"charge", make_charge<dim>}, {"energy", make_energy<dim>}};
     for (unsigned int i = 0; i < dim; ++i)
-      entries.emplace_back("lambda_" + std::to_string(i + 1), [i]() { return make_stretch<dim>(i); });
+      entries.emplace_back("lambda_" + std::to_string(i + 1),
+                           [i]() { return make_stretch<dim>(i); });
     return NamedList<Observable<dim>>("observable", entries);
   }();
   return list;

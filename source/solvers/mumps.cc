@@ -16,8 +16,7 @@ constexpr int initialise = -1, finalise = -2, analyse = 1, factorise_job = 2, so
 /// Call @p visit(row, column, value) for every stored entry of this rank, numbered from 0 over all
 /// blocks, in an order that never changes while the pattern stands.
 template <typename Visitor>
-void for_each_entry(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix,
-                    const Visitor& visit)
+void for_each_entry(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix, const Visitor& visit)
 {
   const auto& row_start = matrix.get_row_indices();
   const auto& column_start = matrix.get_column_indices();
@@ -54,7 +53,10 @@ Mumps::Mumps(const MPI_Comm comm, const bool symmetric) : comm(comm), mumps()
   mumps.icntl[27] = 1;  // sequential analysis
 }
 
-Mumps::~Mumps() { run(finalise); }
+Mumps::~Mumps()
+{
+  run(finalise);
+}
 
 void Mumps::run(const int job)
 {
@@ -124,6 +126,7 @@ void Mumps::collect_layout(const dealii::LinearAlgebra::distributed::BlockVector
 {
   for (const auto index : vector.locally_owned_elements())
     own_indices.push_back(index);
+  layout_known = true; // also on a rank that owns nothing
   const auto all = dealii::Utilities::MPI::gather(comm, own_indices);
   for (const auto& indices : all) {
     offsets.push_back(gathered_indices.size());
@@ -134,7 +137,7 @@ void Mumps::collect_layout(const dealii::LinearAlgebra::distributed::BlockVector
 
 void Mumps::solve(dealii::LinearAlgebra::distributed::BlockVector<double>& vector)
 {
-  if (own_indices.empty())
+  if (!layout_known)
     collect_layout(vector);
   std::vector<double> own(own_indices.size()), gathered(gathered_indices.size());
   for (std::size_t k = 0; k < own.size(); ++k)

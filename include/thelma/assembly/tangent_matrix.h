@@ -41,9 +41,9 @@ private:
 
   const dealii::AffineConstraints<double>* constraints = nullptr;
   dealii::TrilinosWrappers::BlockSparseMatrix tangent;
-  std::vector<double*> block_values;            ///< of the local part of block (i, j)
-  std::vector<double*> fixed_diagonals;         ///< of the prescribed unknowns of this rank
-  std::vector<std::vector<int>> positions;      ///< [cell][i * n + j], or skipped, elsewhere
+  std::vector<double*> block_values;             ///< of the local part of block (i, j)
+  std::vector<double*> fixed_diagonals;          ///< of the prescribed unknowns of this rank
+  std::vector<std::vector<int>> positions;       ///< [cell][i * n + j], or skipped, elsewhere
   std::vector<std::vector<unsigned int>> blocks; ///< [cell][i]
 };
 

@@ -11,7 +11,8 @@ namespace thelma
 enum class ExitCode { success = 0, bad_input = 1, expectation_failed = 2, not_converged = 3 };
 
 /// The user asked for something impossible; what() is one sentence that names the place, the value
-/// and the remedy. Thrown by every rank alike, so that the program ends everywhere with exit code 1.
+/// and the remedy. Thrown by every rank alike, so that the program ends everywhere with exit
+/// code 1.
 class InputError : public std::runtime_error
 {
 public:

@@ -28,7 +28,6 @@ struct PointSystem {
   double m[n_c][dim];
 };
 
-
 /// What a cell's nodal values give at one point.
 struct PointInput {
   PointState<> state;

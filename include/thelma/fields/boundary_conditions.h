@@ -40,7 +40,7 @@ private:
   using Values = std::map<dealii::types::global_dof_index, double>;
 
   static void fix(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string& surface,
-           const std::string& place, unsigned int component, double value, Values& values);
+                  const std::string& place, unsigned int component, double value, Values& values);
   void fix_supports(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
   void fix_electrodes(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
   void fix_temperatures(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);

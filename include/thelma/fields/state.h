@@ -30,9 +30,9 @@ public:
   /// parabola load(arc length of displacements); infinity while the load does not slow down.
   double estimated_limit() const;
 
-  BlockVector x;         ///< values of all fields, with ghosts
-  double voltage = 0.;   ///< kV
-  double theta = 0.;     ///< uniform temperature in K
+  BlockVector x;       ///< values of all fields, with ghosts
+  double voltage = 0.; ///< kV
+  double theta = 0.;   ///< uniform temperature in K
 
 private:
   struct Accepted {

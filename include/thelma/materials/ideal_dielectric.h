@@ -60,10 +60,9 @@ public:
         for (unsigned int L = 0; L < 3; ++L) {
           out.dP_dE[i][J][L] += eps_J * (G[i][L] * d[J] + g[i] * C_inv[J][L] - d[L] * G[i][J]);
           for (unsigned int k = 0; k < 3; ++k)
-            out.dP_dF[i][J][k][L] +=
-                eps_J * (G[k][L] * stress - G[i][L] * g[k] * d[J] -
-                         g[i] * (d[L] * G[k][J] + C_inv[J][L] * g[k]) + d[L] * g[k] * G[i][J] +
-                         gg / 2. * G[i][L] * G[k][J]);
+            out.dP_dF[i][J][k][L] += eps_J * (G[k][L] * stress - G[i][L] * g[k] * d[J] -
+                                              g[i] * (d[L] * G[k][J] + C_inv[J][L] * g[k]) +
+                                              d[L] * g[k] * G[i][J] + gg / 2. * G[i][L] * G[k][J]);
         }
       }
     out.dD_dtheta += slope_J * d;

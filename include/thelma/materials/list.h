@@ -19,7 +19,8 @@ namespace thelma
 using ElasticLaws = std::tuple<NeoHookean>;
 using DielectricLaws = std::tuple<IdealDielectric>;
 
-/// Call @p visit(static_cast<ComposedMaterial<E, D>*>(nullptr), name of E, name of D) for each E, D.
+/// Call @p visit(static_cast<ComposedMaterial<E, D>*>(nullptr), name of E, name of D) for each E,
+/// D.
 template <typename Visitor>
 void for_each_material(const Visitor& visit)
 {

@@ -89,11 +89,10 @@ public:
     out.dP_dF = f * em.s * em.s * W_FF;
     out.dP_dtheta = em.s * ((1. / thermal.theta_0 - alpha * f) * em.d.W_F +
                             f * (em.d.W_Ftheta - alpha * W_FF_F));
-    out.deta_dtheta =
-        thermal.deta_dtheta(state.theta) -
-        2. / thermal.theta_0 * (em.d.W_theta - alpha * contract(em.d.W_F, em.F)) -
-        f * (em.d.W_thetatheta - 2. * alpha * contract(em.d.W_Ftheta, em.F) +
-             alpha * alpha * (contract(W_FF_F, em.F) + contract(em.d.W_F, em.F)));
+    out.deta_dtheta = thermal.deta_dtheta(state.theta) -
+                      2. / thermal.theta_0 * (em.d.W_theta - alpha * contract(em.d.W_F, em.F)) -
+                      f * (em.d.W_thetatheta - 2. * alpha * contract(em.d.W_Ftheta, em.F) +
+                           alpha * alpha * (contract(W_FF_F, em.F) + contract(em.d.W_F, em.F)));
     dielectric.add_second(state, kin, out);
     return out;
   }
@@ -102,8 +101,7 @@ public:
   {
     const Kinematics<> kin(state.F);
     const Split<double> em(*this, state, kin);
-    return {state.theta / thermal.theta_0 * em.d.W +
-                thermal.volumetric(kin.J, state.theta).psi,
+    return {state.theta / thermal.theta_0 * em.d.W + thermal.volumetric(kin.J, state.theta).psi,
             -dielectric.psi(state, kin)};
   }
 

@@ -3,7 +3,10 @@
 #include <thelma/base/error.h>
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/utilities.h>
 
+#include <iomanip>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -20,9 +23,16 @@ public:
   /// Declares @p entry in the section @p prm stands in; @p what ends "Coefficients ... of <what>".
   void declare(dealii::ParameterHandler& prm, const std::string& entry, const std::string& what)
   {
-    prm.add_parameter(entry, c,
-                      "Coefficients c_0, c_1, ... of powers of (1000 K / theta) in " + what,
-                      dealii::Patterns::List(dealii::Patterns::Double(), 1, 10));
+    // ParameterHandler::add_parameter would round the default to six digits.
+    std::ostringstream exact;
+    exact << std::setprecision(15);
+    for (std::size_t n = 0; n < c.size(); ++n)
+      exact << (n == 0 ? "" : ", ") << c[n];
+    prm.declare_entry(entry, exact.str(), dealii::Patterns::List(dealii::Patterns::Double(), 1, 10),
+                      "Coefficients c_0, c_1, ... of powers of (1000 K / theta) in " + what);
+    prm.add_action(entry, [this](const std::string& text) {
+      c = dealii::Utilities::string_to_double(dealii::Utilities::split_string_list(text));
+    });
   }
 
   template <typename Number>

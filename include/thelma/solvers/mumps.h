@@ -42,7 +42,7 @@ private:
   std::vector<double> values;
   std::vector<int> own_indices;                       ///< of this rank's vector entries
   std::vector<int> gathered_indices, counts, offsets; ///< of all ranks', on rank 0
-  bool analysed = false;
+  bool analysed = false, layout_known = false;
 };
 
 } // namespace thelma

@@ -1,0 +1,113 @@
+"""Reads what `thelma --sweep ... --output DIR` leaves in DIR.
+
+    study.csv            a row per case: the swept entries (columns Section/Entry), directory,
+                         exit_code, outcome, ...
+    CASE/curve.csv       a row per accepted step
+    CASE/run.json        the outcome; "pull_in": {"e_below": x, "e_above": y} when bracketed
+    CASE/used.prm        every parameter of the case
+"""
+
+import csv
+import json
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+import planar_exact
+
+TEMPERATURE = "Temperature/Value"
+
+
+class StudyError(Exception):
+    """One sentence for the user."""
+
+
+@dataclass
+class Case:
+    """One run of a study."""
+
+    directory: Path
+    swept: dict = field(default_factory=dict)  # entry -> value, as written
+    exit_code: int = 0
+    outcome: str = ""  # and the reason, if there is one
+
+    def curve(self, *required):
+        """Columns of curve.csv by name: arrays of numbers, texts for `event`."""
+        return read_columns(self.directory / "curve.csv", required)
+
+    def pull_in(self):
+        """(e_below, e_above) of the pull-in bracket, or None."""
+        bracket = json.loads(existing(self.directory / "run.json").read_text()).get("pull_in")
+        return (bracket["e_below"], bracket["e_above"]) if bracket else None
+
+    def material(self):
+        """The material in used.prm (the first, if there are several)."""
+        return read_material(existing(self.directory / "used.prm"))
+
+
+def existing(path):
+    """The path, if there is such a file."""
+    if not path.is_file():
+        raise StudyError(f"there is no file {path}.")
+    return path
+
+
+def read_rows(path, required):
+    """Rows of a CSV file as dictionaries, if it has the required columns."""
+    with open(existing(path), newline="") as file:
+        reader = csv.DictReader(file, skipinitialspace=True)
+        header = reader.fieldnames or []
+        missing = [name for name in required if name not in header]
+        if missing:
+            raise StudyError(f"{path} has no column {', '.join(missing)}.")
+        return list(reader)
+
+
+def read_columns(path, required):
+    """Columns of a CSV file: arrays of numbers; texts where a cell is none; empty cells are nan."""
+    rows = read_rows(path, required)
+    return {name: column([row[name] for row in rows]) for name in (rows[0] if rows else required)}
+
+
+def column(cells):
+    """An array of numbers if the cells are numbers, else the texts."""
+    try:
+        if any(cells):
+            return np.array([float(cell) if cell else np.nan for cell in cells])
+    except ValueError:
+        pass
+    return cells
+
+
+def read_study(directory):
+    """The cases of a study, in the order of study.csv."""
+    cases = []
+    for row in read_rows(Path(directory) / "study.csv", ("directory", "exit_code", "outcome")):
+        swept = {name: value for name, value in row.items() if "/" in name}
+        outcome = ": ".join(text for text in (row["outcome"], row.get("reason")) if text)
+        cases.append(Case(Path(directory) / row["directory"], swept, int(row["exit_code"]),
+                          outcome))
+    return cases
+
+
+def prm_entry(text, name):
+    """Value of the first line `set NAME = VALUE # comment` of a parameter file."""
+    found = re.search(rf"^\s*set\s+{re.escape(name)}\s*=\s*([^#\n]*)", text, re.MULTILINE)
+    if not found:
+        raise StudyError(f"used.prm has no entry '{name}'.")
+    return found.group(1).strip()
+
+
+def read_material(path):
+    """The planar_exact.Material of a used.prm."""
+    text = path.read_text()
+
+    def numbers(name):
+        return tuple(float(value) for value in prm_entry(text, name).split(","))
+
+    return planar_exact.Material(
+        alpha=numbers("Thermal expansion")[0], K=numbers("Bulk modulus")[0],
+        theta_0=numbers("Reference temperature")[0], mu_law=numbers("Shear modulus"),
+        eps_law=numbers("Permittivity"))

@@ -1,0 +1,45 @@
+"""Runs the program for the scene tests and reads what it leaves."""
+
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
+import study  # noqa: E402
+
+
+@dataclass
+class Program:
+    """How to start the program."""
+
+    binary: str
+    mpiexec: str
+    source: Path
+
+    def run(self, scene, output, *options, ranks=1):
+        """Runs prm/SCENE.prm in the source directory, into output; fails unless the exit is 0."""
+        command = [str(Path(self.binary).resolve()), f"prm/{scene}.prm", *options,
+                   "--output", str(output)]
+        if ranks > 1:
+            command = [self.mpiexec, "-np", str(ranks), "--allow-run-as-root", "--oversubscribe",
+                       "--bind-to", "none", *command]
+        done = subprocess.run(command, cwd=self.source, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True, check=False)
+        if done.returncode != 0:
+            print(" ".join(command), done.stdout, sep="\n")
+        require(done.returncode == 0, f"exit code {done.returncode}, not 0")
+        return study.Case(Path(output))
+
+
+def require(condition, sentence):
+    """Ends the test with the sentence unless the condition holds."""
+    if not condition:
+        sys.exit(f"FAILED: {sentence}")
+
+
+def program_and_ranks(usage):
+    """The command line THELMA_BINARY MPIEXEC SOURCE_DIR RANKS..."""
+    if len(sys.argv) < 5:
+        sys.exit(usage)
+    return Program(sys.argv[1], sys.argv[2], Path(sys.argv[3])), [int(n) for n in sys.argv[4:]]

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <deal.II/differentiation/ad/sacado_product_types.h>
+
+/// deal.II's tensors know Sacado's DFad but not its fixed-size SFad: these traits say that an SFad,
+/// or an unevaluated expression of SFads, is a scalar, and what type a product of scalars has.
+namespace dealii
+{
+namespace internal
+{
+using SacadoExpression = Sacado::Fad::Exp::ExprSpecDefault;
+
+template <int n>
+struct ProductTypeImpl<Sacado::Fad::SFad<double, n>, Sacado::Fad::SFad<double, n>> {
+  using type = Sacado::Fad::SFad<double, n>;
+};
+
+template <int n>
+struct ProductTypeImpl<Sacado::Fad::SFad<double, n>, double> {
+  using type = Sacado::Fad::SFad<double, n>;
+};
+
+template <int n>
+struct ProductTypeImpl<double, Sacado::Fad::SFad<double, n>> {
+  using type = Sacado::Fad::SFad<double, n>;
+};
+
+template <int n, template <typename, typename> class Operation, typename A>
+struct ProductTypeImpl<Sacado::Fad::SFad<double, n>, Operation<A, SacadoExpression>> {
+  using type = Sacado::Fad::SFad<double, n>;
+};
+
+template <int n, template <typename, typename, bool, bool, typename> class Operation, typename A,
+          typename B, bool constant_a, bool constant_b>
+struct ProductTypeImpl<Sacado::Fad::SFad<double, n>,
+                       Operation<A, B, constant_a, constant_b, SacadoExpression>> {
+  using type = Sacado::Fad::SFad<double, n>;
+};
+} // namespace internal
+
+template <int n>
+struct EnableIfScalar<Sacado::Fad::SFad<double, n>> {
+  using type = Sacado::Fad::SFad<double, n>;
+};
+
+template <template <typename, typename> class Operation, typename A>
+struct EnableIfScalar<Operation<A, internal::SacadoExpression>>
+    : Sacado::BaseExprType<Operation<A, internal::SacadoExpression>> {
+};
+
+template <template <typename, typename, bool, bool, typename> class Operation, typename A,
+          typename B, bool constant_a, bool constant_b>
+struct EnableIfScalar<Operation<A, B, constant_a, constant_b, internal::SacadoExpression>>
+    : Sacado::BaseExprType<Operation<A, B, constant_a, constant_b, internal::SacadoExpression>> {
+};
+} // namespace dealii
+
+#include <thelma/materials/point.h>
+
+/// Sacado as the oracle of the point physics.
+namespace thelma::material_tests
+{
+
+/// The independent variables of a point, in this order: F row by row, E, theta.
+using Ad = Sacado::Fad::SFad<double, 13>;
+
+inline PointState<Ad> seeded(const PointState<>& state)
+{
+  PointState<Ad> ad;
+  for (int i = 0; i < 3; ++i) {
+    for (int J = 0; J < 3; ++J)
+      ad.F[i][J] = Ad(13, 3 * i + J, state.F[i][J]);
+    ad.E[i] = Ad(13, 9 + i, state.E[i]);
+  }
+  ad.theta = Ad(13, 12, state.theta);
+  return ad;
+}
+
+inline Tensor3<2> d_dF(const Ad& f)
+{
+  Tensor3<2> result;
+  for (int i = 0; i < 3; ++i)
+    for (int J = 0; J < 3; ++J)
+      result[i][J] = f.dx(3 * i + J);
+  return result;
+}
+
+inline Tensor3<1> d_dE(const Ad& f)
+{
+  Tensor3<1> result;
+  for (int J = 0; J < 3; ++J)
+    result[J] = f.dx(9 + J);
+  return result;
+}
+
+inline double d_dtheta(const Ad& f)
+{
+  return f.dx(12);
+}
+
+/// P, D and eta as the derivatives of the energy @p psi.
+inline FirstDerivatives<> derivatives_of_energy(const Ad& psi)
+{
+  return {d_dF(psi), -d_dE(psi), -d_dtheta(psi)};
+}
+
+} // namespace thelma::material_tests

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <thelma/assembly/system.h>
+
+#include <random>
+#include <string>
+
+namespace thelma_test
+{
+
+using namespace thelma;
+
+/// A scene built from the text of a parameter file, up to the assembled system.
+template <int dim>
+struct TestScene {
+  explicit TestScene(const std::string& text, const double theta = 293.)
+      : file(ParameterFile::from_text(text)), materials(file), mesh(MPI_COMM_WORLD),
+        system(layout, conditions, state, timings)
+  {
+    dealii::ParameterHandler prm;
+    materials.declare(prm);
+    mesh.declare(prm);
+    layout.declare(prm);
+    conditions.declare(prm);
+    system.declare(prm);
+    file.read(prm);
+    mesh.read(THELMA_SOURCE_DIR);
+    layout.setup(mesh, materials);
+    conditions.setup(mesh, layout);
+    state.theta = theta;
+    state.start(layout.new_vector());
+    if (layout.has(Field::temperature))
+      state.x.block(layout.block(Field::temperature)) = theta;
+    system.setup();
+  }
+
+  ParameterFile file;
+  MaterialLibrary materials;
+  Mesh<dim> mesh;
+  FieldLayout<dim> layout;
+  BoundaryConditions<dim> conditions;
+  State state;
+  Timings timings;
+  System<dim> system;
+};
+
+/// Add noise to the owned free unknowns of every block; the same on any number of ranks only for
+/// the same partition.
+template <int dim>
+void add_noise(const TestScene<dim>& scene, const std::vector<double>& amplitude, BlockVector& x)
+{
+  std::mt19937 random(42);
+  std::uniform_real_distribution<double> noise(-1., 1.);
+  for (unsigned int b = 0; b < x.n_blocks(); ++b)
+    for (const auto i : x.block(b).locally_owned_elements())
+      x.block(b)(i) += amplitude[b] * noise(random);
+  x.zero_out_ghost_values();
+  scene.conditions.constraints().set_zero(x);
+  x.update_ghost_values();
+}
+
+/// The two-layer bending actuator, small: potential in one layer, optionally a temperature field.
+inline std::string bilayer(const bool temperature_field, const std::string& formulation,
+                           const int degree)
+{
+  return "subsection Mesh\n set File = meshes/bilayer.geo\n"
+         " set Parameters = L: 6, W: 2, n1: 2, n2: 1, n3: 4\nend\n"
+         "subsection Regions\n set Materials = active: elastomer, passive: elastomer\n"
+         " set Passive = passive\nend\n"
+         "subsection Materials\n subsection elastomer\n set Thermal expansion = 1.8e-4\n"
+         " set Permittivity = 1e-5, 0.873e-5\n end\nend\n"
+         "subsection Discretisation\n set Degree = " +
+         std::to_string(degree) + "\n set Formulation = " + formulation +
+         "\nend\n"
+         "subsection Supports\n set Fixed = x3_min: u3, x2_min: u2, x2_max: u2, pin: u1\nend\n"
+         "subsection Electrodes\n set Potential = interface: 0, outer: 1\nend\n" +
+         (temperature_field ? "subsection Temperature\n set Model = steady\n"
+                              " set Fixed = outer: 353, back: 293\nend\n"
+                            : "");
+}
+
+} // namespace thelma_test
