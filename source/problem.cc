@@ -318,7 +318,7 @@ void Problem<dim>::finish()
       curve->write(folder + "/curve.csv");
     write_run_report(outcome, file_name, folder + "/run.json");
   }
-  console << "  " << outcome.name << (outcome.reason.empty() ? "" : ": " + outcome.reason) << "; "
+  console << "  " << (outcome.reason.empty() ? outcome.name : outcome.reason) << "; "
           << outcome.steps << " steps, " << outcome.newton_iterations << " Newton iterations, "
           << std::setprecision(3) << outcome.seconds << " s\n"
           << std::flush;

@@ -21,6 +21,21 @@ unsigned int dimension_of(const ParameterFile& file)
   return dim;
 }
 
+/// Set the scene up and let @p action use it; complaints about the scene name the file.
+template <int dim, typename Action>
+Outcome with_problem(const ParameterFile& file, const std::string& folder, const Action& action)
+{
+  std::unique_ptr<Problem<dim>> problem;
+  try {
+    problem = std::make_unique<Problem<dim>>(file, folder);
+    problem->setup();
+  } catch (const InputError& error) {
+    const std::string sentence = error.what();
+    throw InputError((sentence.rfind("section ", 0) == 0 ? file.name() + ", " : "") + sentence);
+  }
+  return action(*problem);
+}
+
 /// All combinations of the swept values, the last sweep running fastest.
 std::vector<std::vector<Override>> combinations(const std::vector<Sweep>& sweeps)
 {
@@ -118,20 +133,18 @@ std::string study_table(const std::vector<Case>& cases)
 
 Outcome run_scene(const ParameterFile& file, const std::string& folder)
 {
-  const auto run = [&](auto problem) {
-    problem->setup();
-    return problem->run();
-  };
-  return dimension_of(file) == 2 ? run(std::make_unique<Problem<2>>(file, folder))
-                                 : run(std::make_unique<Problem<3>>(file, folder));
+  const auto run = [](auto& problem) { return problem.run(); };
+  return dimension_of(file) == 2 ? with_problem<2>(file, folder, run)
+                                 : with_problem<3>(file, folder, run);
 }
 
 void check_scene(const ParameterFile& file)
 {
+  const auto nothing = [](auto&) { return Outcome(); };
   if (dimension_of(file) == 2)
-    Problem<2>(file, "").setup();
+    with_problem<2>(file, "", nothing);
   else
-    Problem<3>(file, "").setup();
+    with_problem<3>(file, "", nothing);
 }
 
 void print_defaults(std::ostream& out)

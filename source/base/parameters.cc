@@ -67,6 +67,14 @@ std::string match(const std::string& text, const std::string& pattern)
   return std::regex_search(text, found, std::regex(pattern)) ? found[1].str() : "";
 }
 
+/// A pattern's description without deal.II's brackets.
+std::string in_words(const std::string& pattern)
+{
+  if (const std::string choices = match(pattern, "^\\[Selection (.*) \\]$"); !choices.empty())
+    return "one of " + std::regex_replace(choices, std::regex("\\|"), ", ");
+  return pattern;
+}
+
 } // namespace
 
 Override Override::parse(const std::string& text)
@@ -154,7 +162,7 @@ void ParameterFile::read(dealii::ParameterHandler& prm) const
     if (const std::string entry = match(info, "entry named (.*) does not match"); !entry.empty())
       throw InputError(place + ": entry '" + entry + "' has the value '" +
                        match(info, "entry value (.*) for the entry") + "' but must be " +
-                       match(info, "given pattern: (.*?) ?$"));
+                       in_words(match(info, "given pattern: (.*?) ?$")));
     throw InputError(place + ": " +
                      std::regex_replace(info, std::regex("^ | $|<input string>?"), ""));
   }

@@ -132,7 +132,8 @@ const Material& MaterialLibrary::named(const std::string& name) const
   const auto found = materials.find(name);
   if (found != materials.end())
     return *found->second.material;
-  throw InputError("unknown material '" + name + "'; known: " + comma_separated(names()));
+  throw InputError("section Materials: unknown material '" + name +
+                   "'; known: " + comma_separated(names()));
 }
 
 std::vector<std::string> MaterialLibrary::names() const

@@ -18,6 +18,7 @@ struct Gmsh {
     gmsh::initialize();
     gmsh::option::setNumber("General.Terminal", 0);
     gmsh::option::setNumber("General.NumThreads", 1);
+    gmsh::option::setNumber("General.AbortOnError", 0); // errors are read from the log
     gmsh::logger::start();
   }
   ~Gmsh() { gmsh::finalize(); }
@@ -54,7 +55,11 @@ void open(const std::string& file)
 void set_parameters(const std::string& file, const std::map<std::string, double>& parameters)
 {
   std::vector<std::string> known;
-  gmsh::onelab::getNames(known, "[^/]*");
+  gmsh::onelab::getNames(known);
+  const auto belongs_to_gmsh = [](const std::string& n) {
+    return n.find('/') != std::string::npos;
+  };
+  known.erase(std::remove_if(known.begin(), known.end(), belongs_to_gmsh), known.end());
   gmsh::clear();
   for (const auto& [name, value] : parameters) {
     if (std::find(known.begin(), known.end(), name) == known.end())

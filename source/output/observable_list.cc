@@ -13,7 +13,8 @@ const NamedList<Observable<dim>>& observables()
     for (unsigned int i = 0; i < dim; ++i)
       entries.emplace_back("lambda_" + std::to_string(i + 1),
                            [i]() { return make_stretch<dim>(i); });
-    return NamedList<Observable<dim>>("observable", entries);
+    return NamedList<Observable<dim>>("section Output, entry 'Observables': unknown observable",
+                                      entries);
   }();
   return list;
 }

@@ -124,6 +124,12 @@ INSTANTIATE_TEST_SUITE_P(Formulations, Tangent,
                                          Case{false, "standard", 1},
                                          Case{false, "selective reduced", 2},
                                          Case{true, "selective reduced", 1},
-                                         Case{true, "standard", 2}));
+                                         Case{true, "standard", 2}),
+                         [](const auto& info) {
+                           std::string name = info.param.formulation;
+                           name = name.substr(0, name.find(' '));
+                           return name + std::to_string(info.param.degree) +
+                                  (info.param.temperature_field ? "WithTheta" : "");
+                         });
 
 } // namespace

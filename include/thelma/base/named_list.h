@@ -19,7 +19,8 @@ class NamedList
 public:
   using Factory = std::function<std::unique_ptr<Base>()>;
 
-  /// @p kind is what the things are called in messages, e.g. "element formulation".
+  /// @p kind is what the things are called in messages and where they are chosen, e.g.
+  /// "section Output: unknown observable".
   NamedList(std::string kind, std::vector<std::pair<std::string, Factory>> entries)
       : kind(std::move(kind)), entries(std::move(entries))
   {
@@ -30,7 +31,7 @@ public:
     for (const auto& [known, factory] : entries)
       if (known == name)
         return factory();
-    throw InputError("unknown " + kind + " '" + name + "'; known: " + comma_separated(names()));
+    throw InputError(kind + " '" + name + "'; known: " + comma_separated(names()));
   }
 
   std::vector<std::string> names() const

@@ -1,0 +1,71 @@
+"""Bad input ends in one sentence and exit code 1 on any number of ranks, without a hang.
+
+Usage: bad_input.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
+"""
+
+import subprocess
+import tempfile
+from pathlib import Path
+
+from scene import program_and_ranks, require
+
+TETRAHEDRA = """SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 5, 5, 1};
+Physical Volume("film") = {1};
+"""
+
+# What is wrong, the options that make it so, and what the sentence must say.
+CASES = [
+    ("unknown entry", ["--set", "Newton/Tolerence=1"], ["'Tolerence'", "Tolerance"]),
+    ("unknown section", ["--set", "Newtn/Tolerance=1"], ["'Newtn'", "Newton"]),
+    ("malformed value", ["--set", "Newton/Tolerance=small"], ["'small'", "Double"]),
+    ("unknown region", ["--set", "Regions/Materials=foam: elastomer"], ["'foam'", "film"]),
+    ("unknown surface", ["--set", "Supports/Fixed=x9: u1"], ["'x9'", "x1_min"]),
+    ("unknown material", ["--set", "Loading/Film material=rubber"], ["'rubber'", "elastomer"]),
+    ("unknown law", ["--set", "Materials/elastomer/Elastic law=Foo"], ["'Foo'", "neo-Hookean"]),
+    ("unknown observable", ["--set", "Output/Observables=phase"], ["'phase'", "charge"]),
+    ("missing mesh", ["--set", "Mesh/File=nothing.geo"], ["nothing.geo"]),
+    ("unknown mesh parameter", ["--set", "Mesh/Parameters=L9: 1"], ["'L9'", "L1, L2, L3"]),
+    ("negative modulus", ["--set", "Materials/elastomer/Shear modulus=-1"],
+     ["Shear modulus", "-1", "positive"]),
+    ("no ground electrode", ["--set", "Electrodes/Potential=top: 1"], ["ground", "0"]),
+    ("tetrahedra", ["--set", "Mesh/File={folder}/tetrahedra.geo", "--set", "Mesh/Parameters="],
+     ["film", "hexahedra"]),
+    ("unreadable geometry", ["--set", "Mesh/File={folder}/broken.geo"], ["broken.geo"]),
+    ("unwritable output", ["--output", "/proc/thelma"], ["--output", "/proc/thelma"]),
+    ("unknown option", ["--frobnicate"], ["--frobnicate", "--sweep"]),
+    ("missing file", None, ["nothing.prm"]),
+]
+
+
+def complaint(program, options, ranks):
+    """Exit code and standard error of a run that is expected to fail at once."""
+    command = [str(Path(program.binary).resolve()), *options]
+    if ranks > 1:
+        command = [program.mpiexec, "--quiet", "-np", str(ranks), "--allow-run-as-root",
+                   "--oversubscribe", "--bind-to", "none", *command]
+    done = subprocess.run(command, cwd=program.source, capture_output=True, text=True,
+                          check=False, timeout=60)
+    return done.returncode, done.stderr
+
+
+def main():
+    program, all_ranks = program_and_ranks(__doc__)
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "tetrahedra.geo").write_text(TETRAHEDRA)
+        (Path(folder) / "broken.geo").write_text("Point(1) = {0, 0\n")
+        for name, options, words in CASES:
+            arguments = ["nothing.prm"] if options is None else [
+                "prm/planar_actuator.prm", "--output", f"{folder}/out",
+                *[option.format(folder=folder) for option in options]]
+            for ranks in all_ranks:
+                code, text = complaint(program, arguments, ranks)
+                lines = [line for line in text.splitlines() if line.strip()]
+                print(f"{name} ({ranks}): {text.strip()}")
+                require(code == 1, f"{name} on {ranks} ranks: exit code {code}, not 1")
+                require(len(lines) == 1, f"{name} on {ranks} ranks: {len(lines)} lines, not one")
+                for word in words:
+                    require(word in lines[0], f"{name} on {ranks} ranks: no word of {word}")
+
+
+main()
