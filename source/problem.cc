@@ -47,7 +47,7 @@ template <int dim>
 void Problem<dim>::declare()
 {
   using namespace dealii::Patterns;
-  prm.add_parameter("Dimension", dimension, "2: plane strain in the x1-x2 plane; 3: space.",
+  prm.add_parameter("Dimension", dimension, "2: the x1-x3 plane in plane strain; 3: space.",
                     Integer(2, 3));
   mesh.declare(prm);
   materials.declare(prm);
@@ -92,11 +92,11 @@ void Problem<dim>::setup()
   loading.setup(materials, theta);
   theta_start = materials.reference_temperature();
   state.theta = theta;
-  state.start(layout.new_vector());
+  state.x = layout.new_vector();
   if (layout.has(Field::temperature))
     state.x.block(layout.block(Field::temperature)) = theta_start;
-  state.start(state.x);
   system.setup();
+  state.start();
 
   std::vector<std::string> columns{"step", "load", "voltage_kV", "e", "theta_K"};
   for (const auto& entry : observed) {
@@ -153,7 +153,7 @@ void Problem<dim>::heat()
   NewtonReport last;
   const auto remember = [&](double, const NewtonReport& report) { last = report; };
   if (follow(steps, prescribe, remember)) {
-    state.start(state.x);
+    state.start();
     record(0., last);
   } else
     outcome = failure("no convergence", "no stable state beyond " + std::to_string(state.theta) +

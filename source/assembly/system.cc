@@ -37,23 +37,15 @@ void System<dim>::setup()
   formulation->setup(layout);
   matrix.setup(layout, conditions);
   solver = std::make_unique<Mumps>(layout.communicator(), is_symmetric());
+  const unsigned int n_internal = formulation->n_internal();
+  state.internal.resize(layout.cells().size() * n_internal);
+  for (std::size_t cell = 0; cell < layout.cells().size(); ++cell)
+    formulation->start_internal(state.internal.data() + cell * n_internal);
   raw_residual = layout.new_vector();
+  condensation = layout.new_vector();
   correction = layout.new_vector();
   base = layout.new_vector();
   compute_scales();
-}
-
-template <int dim>
-void System<dim>::for_each_cell(const std::function<void(const CellView<dim>&)>& visit) const
-{
-  std::vector<double> x;
-  std::size_t index = 0;
-  for (const Cell<dim>& cell : layout.cells()) {
-    x.resize(cell.dofs.size());
-    for (std::size_t i = 0; i < x.size(); ++i)
-      x[i] = state.x(cell.dofs[i]);
-    visit({index++, cell, x.data(), state.theta, layout.has(Field::temperature)});
-  }
 }
 
 template <int dim>
@@ -61,6 +53,7 @@ void System<dim>::compute_scales()
 {
   const Integration<dim> rule(layout, layout.degree() + 1);
   BlockVector forces = layout.new_vector();
+  volume = 0.;
   for_each_cell([&](const CellView<dim>& view) {
     const Material& material = *view.cell.material;
     const double mu = material.shear_modulus(state.theta);
@@ -68,6 +61,7 @@ void System<dim>::compute_scales()
     const int n_c = view.cell.n_components;
     for (unsigned int q = 0; q < rule.basis().n_points; ++q) {
       const auto& point = rule.of_cell(view.index)[q];
+      volume += point.JxW;
       for (unsigned int a = 0; a < rule.basis().n_nodes; ++a) {
         dealii::Tensor<1, dim> reference;
         for (int K = 0; K < dim; ++K)
@@ -82,6 +76,7 @@ void System<dim>::compute_scales()
       }
     }
   });
+  volume = dealii::Utilities::MPI::sum(volume, layout.communicator());
   forces.compress(dealii::VectorOperation::add);
   conditions.constraints().set_zero(forces);
   scales.clear();
@@ -96,18 +91,19 @@ ResidualReport System<dim>::residual()
 {
   const auto timer = timings.measure("residual");
   CellResult result;
-  double min_det_F = std::numeric_limits<double>::max();
+  double min_det_F = std::numeric_limits<double>::max(), internal_error = 0.;
   raw_residual = 0.;
   for_each_cell([&](const CellView<dim>& view) {
     formulation->residual(view, result);
     min_det_F = std::min(min_det_F, result.min_det_F);
-    for (std::size_t i = 0; i < view.cell.dofs.size(); ++i)
-      raw_residual(view.cell.dofs[i]) += result.residual[i];
+    internal_error += result.internal_error;
+    layout.scatter(view.cell, result.residual, raw_residual);
   });
   raw_residual.compress(dealii::VectorOperation::add);
 
   const BlockVector residual = free_residual();
-  double norm = 0.;
+  double norm =
+      std::sqrt(dealii::Utilities::MPI::sum(internal_error, layout.communicator()) / volume);
   for (unsigned int b = 0; b < residual.n_blocks(); ++b)
     norm = std::max(norm, residual.block(b).l2_norm() / scales[b]);
   min_det_F = dealii::Utilities::MPI::min(min_det_F, layout.communicator());
@@ -129,13 +125,18 @@ template <int dim>
 void System<dim>::assemble_tangent()
 {
   const auto timer = timings.measure("tangent");
+  const bool condenses = formulation->n_internal() > 0;
   CellResult result;
   matrix.clear();
+  condensation = 0.;
   for_each_cell([&](const CellView<dim>& view) {
     formulation->tangent(view, result);
     matrix.add(view.index, view.cell, result.tangent);
+    if (condenses)
+      layout.scatter(view.cell, result.residual, condensation);
   });
   matrix.finish();
+  condensation.compress(dealii::VectorOperation::add);
 }
 
 template <int dim>
@@ -144,14 +145,47 @@ LinearReport System<dim>::linear_solve()
   assemble_tangent();
   const auto timer = timings.measure("linear solve");
   base = state.x;
+  internal_base = state.internal;
   LinearReport report = solver->factorise(matrix.matrix());
   if (!report.solved)
     return report;
-  correction = free_residual();
+  correction.zero_out_ghost_values();
+  correction = raw_residual;
+  correction += condensation;
   correction *= -1.;
+  conditions.constraints().set_zero(correction);
   solver->solve(correction);
   conditions.constraints().set_zero(correction);
+  recover_internal();
   return report;
+}
+
+template <int dim>
+void System<dim>::recover_internal()
+{
+  const unsigned int n_internal = formulation->n_internal();
+  internal_correction.resize(state.internal.size());
+  if (n_internal == 0)
+    return;
+  std::vector<double> dx;
+  correction.update_ghost_values();
+  for_each_cell([&](const CellView<dim>& view) {
+    layout.gather(view.cell, correction, dx);
+    formulation->recover(view, dx.data(), internal_correction.data() + view.index * n_internal);
+  });
+  correction.zero_out_ghost_values();
+}
+
+template <int dim>
+void System<dim>::relax_internal()
+{
+  // The dilatation is linear in its residual and settles first, the pressure follows it.
+  correction = 0.;
+  for (int pass = 0; pass < 2; ++pass) {
+    recover_internal();
+    for (std::size_t i = 0; i < state.internal.size(); ++i)
+      state.internal[i] += internal_correction[i];
+  }
 }
 
 template <int dim>
@@ -160,6 +194,8 @@ void System<dim>::move_to(const double step)
   state.x = base;
   state.x.add(step, correction);
   state.x.update_ghost_values();
+  for (std::size_t i = 0; i < state.internal.size(); ++i)
+    state.internal[i] = internal_base[i] + step * internal_correction[i];
 }
 
 template <int dim>

@@ -7,9 +7,10 @@ namespace thelma
 template <int dim>
 const NamedList<Formulation<dim>>& formulations()
 {
-  static const NamedList<Formulation<dim>> list(
-      "element formulation",
-      {{"selective reduced", make_selective_reduced<dim>}, {"standard", make_standard<dim>}});
+  static const NamedList<Formulation<dim>> list("element formulation",
+                                                {{"selective reduced", make_selective_reduced<dim>},
+                                                 {"mean dilatation", make_mean_dilatation<dim>},
+                                                 {"standard", make_standard<dim>}});
   return list;
 }
 

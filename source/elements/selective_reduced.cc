@@ -22,15 +22,15 @@ public:
   void residual(const CellView<dim>& view, CellResult& result) const override
   {
     result.reset(view.cell.dofs.size(), false);
-    integrate<WithoutVolumetric>(*full, view, false, result);
-    integrate<VolumetricOnly>(*reduced, view, false, result);
+    integrate(*full, view, WithoutVolumetric(), false, result);
+    integrate(*reduced, view, VolumetricOnly(), false, result);
   }
 
   void tangent(const CellView<dim>& view, CellResult& result) const override
   {
     result.reset(view.cell.dofs.size(), true);
-    integrate<WithoutVolumetric>(*full, view, true, result);
-    integrate<VolumetricOnly>(*reduced, view, true, result);
+    integrate(*full, view, WithoutVolumetric(), true, result);
+    integrate(*reduced, view, VolumetricOnly(), true, result);
     if (!view.has_temperature)
       mirror(view.cell.dofs.size(), result.tangent.data());
   }

@@ -17,13 +17,13 @@ public:
   void residual(const CellView<dim>& view, CellResult& result) const override
   {
     result.reset(view.cell.dofs.size(), false);
-    integrate<WholeEnergy>(*full, view, false, result);
+    integrate(*full, view, WholeEnergy(), false, result);
   }
 
   void tangent(const CellView<dim>& view, CellResult& result) const override
   {
     result.reset(view.cell.dofs.size(), true);
-    integrate<WholeEnergy>(*full, view, true, result);
+    integrate(*full, view, WholeEnergy(), true, result);
     if (!view.has_temperature)
       mirror(view.cell.dofs.size(), result.tangent.data());
   }

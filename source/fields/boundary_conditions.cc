@@ -1,3 +1,4 @@
+#include <thelma/base/axes.h>
 #include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
 #include <thelma/fields/boundary_conditions.h>
@@ -29,17 +30,20 @@ bool lies_on(const dealii::Point<dim>& p, const std::uint8_t mask)
   return true;
 }
 
-/// Components (from 0) named by a text such as "u1 u3".
-std::vector<unsigned int> parse_components(const std::string& text, const int dim,
-                                           const std::string& place)
+/// Directions (from 0) named by a text such as "u1 u3".
+template <int dim>
+std::vector<unsigned int> parse_components(const std::string& text, const std::string& place)
 {
+  std::vector<std::string> known;
+  for (int d = 0; d < dim; ++d)
+    known.push_back(component_name<dim>(d));
   std::vector<unsigned int> components;
   for (const std::string& word : dealii::Utilities::split_string_list(text, ' ')) {
-    const bool valid = word.size() == 2 && word[0] == 'u' && word[1] >= '1' && word[1] < '1' + dim;
-    if (!valid)
-      throw InputError(place + ": '" + word + "' is no displacement component; write u1, u2" +
-                       (dim == 3 ? ", u3" : "") + " with blanks between");
-    components.push_back(word[1] - '1');
+    const auto found = std::find(known.begin(), known.end(), word);
+    if (found == known.end())
+      throw InputError(place + ": '" + word + "' is no displacement component; write any of " +
+                       comma_separated(known) + " with blanks between");
+    components.push_back(found - known.begin());
   }
   return components;
 }
@@ -117,7 +121,7 @@ void BoundaryConditions<dim>::fix_supports(const Mesh<dim>& mesh, const FieldLay
 {
   const std::string place = "section Supports, entry 'Fixed'";
   for (const auto& [surface, components] : supports)
-    for (const unsigned int c : parse_components(components, dim, place))
+    for (const unsigned int c : parse_components<dim>(components, place))
       fix(mesh, layout, surface, place, c, 0., fixed_dofs);
   if (supports.empty())
     throw InputError(place + ": the body is free to move; fix enough components to hold it");

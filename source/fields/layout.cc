@@ -131,6 +131,8 @@ void FieldLayout<dim>::collect_cells(const Mesh<dim>& mesh, const MaterialLibrar
   for (const std::string& region : mesh.regions())
     materials.of_region(region); // every rank complains about a missing material
 
+  const BlockVector example = new_vector();
+  const auto& indices_of_blocks = example.get_block_indices();
   std::vector<dealii::types::global_dof_index> indices;
   for (const auto& iterator : dofs.active_cell_iterators())
     if (iterator->is_locally_owned()) {
@@ -145,6 +147,10 @@ void FieldLayout<dim>::collect_cells(const Mesh<dim>& mesh, const MaterialLibrar
         if (i >= 0)
           cell.dofs.push_back(indices[i]);
       cell.n_components = cell.dofs.size() / scalar->dofs_per_cell;
+      for (const auto dof : cell.dofs) {
+        const auto [block, index] = indices_of_blocks.global_to_local(dof);
+        cell.local.push_back(example.block(block).get_partitioner()->global_to_local(index));
+      }
       own_cells.push_back(std::move(cell));
     }
 }
@@ -192,6 +198,38 @@ template <int dim>
 BlockVector FieldLayout<dim>::new_vector() const
 {
   return BlockVector(owned_dofs, relevant_dofs, communicator());
+}
+
+template <int dim>
+void FieldLayout<dim>::gather(const Cell<dim>& cell, const BlockVector& x,
+                              std::vector<double>& values) const
+{
+  values.resize(cell.dofs.size());
+  const unsigned int n_c = cell.n_components;
+  for (unsigned int c = 0; c < n_c; ++c) {
+    const auto& block = x.block(block_on_cell(cell, c));
+    for (std::size_t i = c; i < values.size(); i += n_c)
+      values[i] = block.local_element(cell.local[i]);
+  }
+}
+
+template <int dim>
+void FieldLayout<dim>::scatter(const Cell<dim>& cell, const std::vector<double>& values,
+                               BlockVector& x) const
+{
+  const unsigned int n_c = cell.n_components;
+  for (unsigned int c = 0; c < n_c; ++c) {
+    auto& block = x.block(block_on_cell(cell, c));
+    for (std::size_t i = c; i < values.size(); i += n_c)
+      block.local_element(cell.local[i]) += values[i];
+  }
+}
+
+template <int dim>
+unsigned int FieldLayout<dim>::block_on_cell(const Cell<dim>& cell, const unsigned int c) const
+{
+  const bool skips_potential = has(Field::potential) && !cell.has_potential;
+  return c < dim ? 0 : c - dim + 1 + (skips_potential ? 1 : 0);
 }
 
 template <int dim>

@@ -5,29 +5,37 @@
 namespace thelma
 {
 
-void State::start(BlockVector beginning)
+void State::start()
 {
-  x = std::move(beginning);
   x.update_ghost_values();
-  past = {{0., x}};
+  past = {{0., x, internal}};
+}
+
+void State::restore()
+{
+  x = past.back().x;
+  internal = past.back().internal;
 }
 
 void State::accept(const double load)
 {
   if (past.size() == 3)
     past.erase(past.begin());
-  past.push_back({load, x});
+  past.push_back({load, x, internal});
 }
 
 void State::predict(const double load)
 {
   x = 0.;
+  internal.assign(internal.size(), 0.);
   for (const Accepted& a : past) {
     double weight = 1.; // Lagrange's interpolation through the accepted states
     for (const Accepted& b : past)
       if (&a != &b)
         weight *= (load - b.load) / (a.load - b.load);
     x.add(weight, a.x);
+    for (std::size_t i = 0; i < internal.size(); ++i)
+      internal[i] += weight * a.internal[i];
   }
   x.update_ghost_values();
 }

@@ -1,3 +1,4 @@
+#include <thelma/base/axes.h>
 #include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
 #include <thelma/mesh/mesh.h>
@@ -93,7 +94,7 @@ void Mesh<dim>::create_triangulation(const CoarseMesh& coarse)
   std::vector<dealii::Point<dim>> vertices(coarse.vertices.size());
   for (std::size_t v = 0; v < vertices.size(); ++v)
     for (unsigned int d = 0; d < dim; ++d)
-      vertices[v][d] = coarse.vertices[v][d];
+      vertices[v][d] = coarse.vertices[v][axis<dim>(d)];
 
   std::vector<dealii::CellData<dim>> cells;
   for (const PhysicalGroup& group : coarse.groups)

@@ -1,3 +1,4 @@
+#include <thelma/base/axes.h>
 #include <thelma/base/parameters.h>
 #include <thelma/output/curve.h>
 #include <thelma/output/fields.h>
@@ -60,13 +61,14 @@ public:
     for (std::size_t q = 0; q < output.size(); ++q) {
       const PointState<> state = point(input, q);
       const Kinematics<> kin(state.F);
-      FirstDerivatives<> d = material.first(state);
+      FirstDerivatives<> d;
+      material.evaluate(state, d);
       add_volumetric(kin, material.thermal.volumetric(kin.J, state.theta), d);
       for (int i = 0; i < dim; ++i) {
         for (int J = 0; J < dim; ++J)
-          output[q][i * dim + J] = d.P[i][J];
-        output[q][dim * dim + i] = d.D[i];
-        output[q][dim * dim + dim + i] = state.E[i];
+          output[q][i * dim + J] = d.P[axis<dim>(i)][axis<dim>(J)];
+        output[q][dim * dim + i] = d.D[axis<dim>(i)];
+        output[q][dim * dim + dim + i] = state.E[axis<dim>(i)];
       }
       output[q][dim * dim + 2 * dim] = kin.J;
     }
@@ -82,10 +84,10 @@ private:
       state.F[i][i] = 1.;
     for (int J = 0; J < dim; ++J)
       for (int i = 0; i < dim; ++i)
-        state.F[i][J] += input.solution_gradients[q][i][J];
+        state.F[axis<dim>(i)][axis<dim>(J)] += input.solution_gradients[q][i][J];
     if (scene.layout.has(Field::potential))
       for (int J = 0; J < dim; ++J)
-        state.E[J] =
+        state.E[axis<dim>(J)] =
             -input.solution_gradients[q][scene.layout.first_component(Field::potential)][J];
     if (scene.layout.has(Field::temperature))
       state.theta = input.solution_values[q][scene.layout.first_component(Field::temperature)];

@@ -1,3 +1,4 @@
+#include <thelma/base/axes.h>
 #include <thelma/output/observables.h>
 
 namespace thelma
@@ -11,7 +12,7 @@ const NamedList<Observable<dim>>& observables()
     std::vector<std::pair<std::string, typename NamedList<Observable<dim>>::Factory>> entries{
         {"charge", make_charge<dim>}, {"energy", make_energy<dim>}};
     for (unsigned int i = 0; i < dim; ++i)
-      entries.emplace_back("lambda_" + std::to_string(i + 1),
+      entries.emplace_back("lambda_" + std::to_string(axis<dim>(i) + 1),
                            [i]() { return make_stretch<dim>(i); });
     return NamedList<Observable<dim>>("section Output, entry 'Observables': unknown observable",
                                       entries);

@@ -1,3 +1,4 @@
+#include <thelma/base/axes.h>
 #include <thelma/base/parameters.h>
 #include <thelma/output/observables.h>
 
@@ -91,7 +92,7 @@ public:
 
   std::vector<std::string> columns() const override
   {
-    return {"lambda_" + std::to_string(direction + 1)};
+    return {"lambda_" + std::to_string(axis<dim>(direction) + 1)};
   }
 
   std::vector<double> evaluate(const Scene<dim>& scene) const override

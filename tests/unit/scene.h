@@ -28,10 +28,11 @@ struct TestScene {
     layout.setup(mesh, materials);
     conditions.setup(mesh, layout);
     state.theta = theta;
-    state.start(layout.new_vector());
+    state.x = layout.new_vector();
     if (layout.has(Field::temperature))
       state.x.block(layout.block(Field::temperature)) = theta;
     system.setup();
+    state.start();
   }
 
   ParameterFile file;

@@ -7,7 +7,6 @@
 #include <thelma/solvers/mumps.h>
 #include <thelma/solvers/newton.h>
 
-#include <functional>
 #include <memory>
 #include <string>
 
@@ -42,7 +41,11 @@ public:
   BlockVector free_residual() const;
 
   /// Call @p visit for each own cell at the current iterate.
-  void for_each_cell(const std::function<void(const CellView<dim>&)>& visit) const;
+  template <typename Visitor>
+  void for_each_cell(const Visitor& visit) const;
+
+  /// Solve the cells' internal equations at the current nodal values.
+  void relax_internal();
 
   /// The tangent has this many negative eigenvalues when the state is stable; none may be said of
   /// an unsymmetric one.
@@ -50,6 +53,9 @@ public:
   long long unstable_directions(long long negative_pivots) const;
 
 private:
+  /// Correction of the internal unknowns that belongs to the nodal one.
+  void recover_internal();
+
   /// Norms of the nodal forces that a unit stress mu (displacement sqrt(eps mu), heat flux
   /// k * 1 K/mm) exerts: the units of each field's residual.
   void compute_scales();
@@ -64,7 +70,24 @@ private:
   TangentMatrix<dim> matrix;
   std::unique_ptr<Mumps> solver;
   std::vector<double> scales; ///< per block
-  BlockVector raw_residual, base, correction;
+  double volume = 0.;         ///< mm^dim
+  BlockVector raw_residual, condensation, base, correction;
+  std::vector<double> internal_base, internal_correction;
 };
+
+template <int dim>
+template <typename Visitor>
+void System<dim>::for_each_cell(const Visitor& visit) const
+{
+  const std::size_t n_internal = formulation ? formulation->n_internal() : 0;
+  std::vector<double> x;
+  std::size_t index = 0;
+  for (const Cell<dim>& cell : layout.cells()) {
+    layout.gather(cell, state.x, x);
+    visit(CellView<dim>{index, cell, x.data(), state.internal.data() + index * n_internal,
+                        state.theta, layout.has(Field::temperature)});
+    ++index;
+  }
+}
 
 } // namespace thelma

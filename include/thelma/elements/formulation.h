@@ -15,8 +15,9 @@ template <int dim>
 struct CellView {
   std::size_t index; ///< position among the rank's own cells
   const Cell<dim>& cell;
-  const double* x; ///< nodal values in the order of Cell::dofs
-  double theta;    ///< uniform temperature in K where theta is no field
+  const double* x;        ///< nodal values in the order of Cell::dofs
+  const double* internal; ///< the cell's own unknowns, if its formulation has any
+  double theta;           ///< uniform temperature in K where theta is no field
   bool has_temperature;
 };
 
@@ -26,12 +27,15 @@ struct CellResult {
   {
     residual.assign(n_dofs, 0.);
     tangent.assign(with_tangent ? n_dofs * n_dofs : 0, 0.);
+    internal_error = 0.;
     min_det_F = std::numeric_limits<double>::max();
   }
 
-  std::vector<double> residual; ///< R = dPi/dx, [a][c]
-  std::vector<double> tangent;  ///< dR/dx, row by row
-  double min_det_F;             ///< if not positive, the rest is meaningless
+  /// R = dPi/dx, [a][c]; from tangent(): what condensing the internal unknowns adds to it.
+  std::vector<double> residual;
+  std::vector<double> tangent; ///< dR/dx, row by row
+  double min_det_F;            ///< if not positive, the rest is meaningless
+  double internal_error;       ///< squared residual of the internal equations, mm^dim
 };
 
 /// Residual and tangent of one cell. A new formulation is one file and one line in list.cc.
@@ -45,11 +49,19 @@ public:
   virtual void setup(const FieldLayout<dim>& layout) = 0;
   virtual void residual(const CellView<dim>& view, CellResult& result) const = 0;
   virtual void tangent(const CellView<dim>& view, CellResult& result) const = 0;
+
+  /// Internal unknowns per cell are iterates like the nodal ones, but condensed out of each linear
+  /// system; recover() gives their correction once the nodal one, @p dx, is known.
+  virtual unsigned int n_internal() const { return 0; }
+  virtual void start_internal(double* /*values*/) const {}
+  virtual void recover(const CellView<dim>&, const double* /*dx*/, double* /*correction*/) const {}
 };
 
 template <int dim>
 const NamedList<Formulation<dim>>& formulations();
 
+template <int dim>
+std::unique_ptr<Formulation<dim>> make_mean_dilatation();
 template <int dim>
 std::unique_ptr<Formulation<dim>> make_standard();
 template <int dim>

@@ -21,9 +21,9 @@ PointState<> point_state(const CellView<dim>& view, const Gradients<dim>& gradie
     const double* x = view.x + a * n_c;
     for (int J = 0; J < dim; ++J) {
       for (int i = 0; i < dim; ++i)
-        state.F[i][J] += x[i] * gradients.g[J][a];
+        state.F[axis<dim>(i)][axis<dim>(J)] += x[i] * gradients.g[J][a];
       if (view.cell.has_potential)
-        state.E[J] -= x[dim] * gradients.g[J][a];
+        state.E[axis<dim>(J)] -= x[dim] * gradients.g[J][a];
     }
     if (view.has_temperature)
       state.theta += x[n_c - 1] * gradients.N[a];
@@ -34,16 +34,12 @@ PointState<> point_state(const CellView<dim>& view, const Gradients<dim>& gradie
 /// Everything the material has.
 struct WholeEnergy {
   static constexpr bool conducts = true;
-  static void fluxes(const Material& material, const PointState<>& state, const Kinematics<>& kin,
-                     FirstDerivatives<>& d)
+
+  template <typename Derivatives>
+  void add(const Material& material, const PointState<>& state, const Kinematics<>& kin,
+           unsigned int, Derivatives& d) const
   {
-    d = material.first(state);
-    add_volumetric(kin, material.thermal.volumetric(kin.J, state.theta), d);
-  }
-  static void moduli(const Material& material, const PointState<>& state, const Kinematics<>& kin,
-                     SecondDerivatives<>& d)
-  {
-    d = material.second(state);
+    material.evaluate(state, d);
     add_volumetric(kin, material.thermal.volumetric(kin.J, state.theta), d);
   }
 };
@@ -51,37 +47,31 @@ struct WholeEnergy {
 /// Everything but the volumetric energy.
 struct WithoutVolumetric {
   static constexpr bool conducts = true;
-  static void fluxes(const Material& material, const PointState<>& state, const Kinematics<>&,
-                     FirstDerivatives<>& d)
+
+  template <typename Derivatives>
+  void add(const Material& material, const PointState<>& state, const Kinematics<>&, unsigned int,
+           Derivatives& d) const
   {
-    d = material.first(state);
-  }
-  static void moduli(const Material& material, const PointState<>& state, const Kinematics<>&,
-                     SecondDerivatives<>& d)
-  {
-    d = material.second(state);
+    material.evaluate(state, d);
   }
 };
 
 /// The volumetric energy alone.
 struct VolumetricOnly {
   static constexpr bool conducts = false;
-  static void fluxes(const Material& material, const PointState<>& state, const Kinematics<>& kin,
-                     FirstDerivatives<>& d)
-  {
-    add_volumetric(kin, material.thermal.volumetric(kin.J, state.theta), d);
-  }
-  static void moduli(const Material& material, const PointState<>& state, const Kinematics<>& kin,
-                     SecondDerivatives<>& d)
+
+  template <typename Derivatives>
+  void add(const Material& material, const PointState<>& state, const Kinematics<>& kin,
+           unsigned int, Derivatives& d) const
   {
     add_volumetric(kin, material.thermal.volumetric(kin.J, state.theta), d);
   }
 };
 
-/// Add the integral of @p Part over one cell to its residual or tangent.
-template <typename Part, typename Fields>
+/// Add the integral of @p part over one cell to its residual or tangent.
+template <typename Fields, typename Part>
 void integrate_fields(const Integration<Fields::dim>& rule, const CellView<Fields::dim>& view,
-                      const bool with_tangent, CellResult& result)
+                      const Part& part, const bool with_tangent, CellResult& result)
 {
   const Material& material = *view.cell.material;
   const auto* geometry = rule.of_cell(view.index);
@@ -101,32 +91,32 @@ void integrate_fields(const Integration<Fields::dim>& rule, const CellView<Field
       add_heat_flux(material.thermal.heat_flux(kin, input.grad_theta), system);
     if (with_tangent) {
       SecondDerivatives<> d;
-      Part::moduli(material, input.state, kin, d);
+      part.add(material, input.state, kin, q, d);
       add_moduli(d, system);
       add_tangent(gradients, system, geometry[q].JxW, result.tangent.data());
     } else {
       FirstDerivatives<> d;
-      Part::fluxes(material, input.state, kin, d);
+      part.add(material, input.state, kin, q, d);
       add_fluxes(d, system);
       add_residual(gradients, system, geometry[q].JxW, result.residual.data());
     }
   }
 }
 
-/// The same with the cell's components known at compile time.
+/// integrate_fields() for whatever fields the cell has.
 template <typename Part, int dim>
-void integrate(const Integration<dim>& rule, const CellView<dim>& view, const bool with_tangent,
-               CellResult& result)
+void integrate(const Integration<dim>& rule, const CellView<dim>& view, const Part& part,
+               const bool with_tangent, CellResult& result)
 {
   const bool potential = view.cell.has_potential, temperature = view.has_temperature;
   if (potential && temperature)
-    integrate_fields<Part, Components<dim, true, true>>(rule, view, with_tangent, result);
+    integrate_fields<Components<dim, true, true>>(rule, view, part, with_tangent, result);
   else if (potential)
-    integrate_fields<Part, Components<dim, true, false>>(rule, view, with_tangent, result);
+    integrate_fields<Components<dim, true, false>>(rule, view, part, with_tangent, result);
   else if (temperature)
-    integrate_fields<Part, Components<dim, false, true>>(rule, view, with_tangent, result);
+    integrate_fields<Components<dim, false, true>>(rule, view, part, with_tangent, result);
   else
-    integrate_fields<Part, Components<dim, false, false>>(rule, view, with_tangent, result);
+    integrate_fields<Components<dim, false, false>>(rule, view, part, with_tangent, result);
 }
 
 } // namespace thelma

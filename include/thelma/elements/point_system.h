@@ -1,5 +1,6 @@
 #pragma once
 
+#include <thelma/base/axes.h>
 #include <thelma/materials/material.h>
 
 namespace thelma
@@ -34,7 +35,7 @@ struct PointInput {
   Tensor3<1> grad_theta;
 };
 
-/// State of plane strain (dim = 2: F_33 = 1, no field or flux out of plane) or space from the
+/// State of plane strain (dim = 2: F_22 = 1, no field or flux out of plane) or space from the
 /// gradients of the components; @p theta is the temperature at the point.
 template <typename Fields>
 PointInput point_input(const double (&gradient)[Fields::n][Fields::dim], const double theta)
@@ -45,11 +46,11 @@ PointInput point_input(const double (&gradient)[Fields::n][Fields::dim], const d
     input.state.F[i][i] = 1.;
   for (int J = 0; J < Fields::dim; ++J) {
     for (int i = 0; i < Fields::dim; ++i)
-      input.state.F[i][J] += gradient[i][J];
+      input.state.F[axis<Fields::dim>(i)][axis<Fields::dim>(J)] += gradient[i][J];
     if constexpr (Fields::has_potential)
-      input.state.E[J] = -gradient[Fields::potential][J];
+      input.state.E[axis<Fields::dim>(J)] = -gradient[Fields::potential][J];
     if constexpr (Fields::has_temperature)
-      input.grad_theta[J] = gradient[Fields::temperature][J];
+      input.grad_theta[axis<Fields::dim>(J)] = gradient[Fields::temperature][J];
   }
   return input;
 }
@@ -57,11 +58,12 @@ PointInput point_input(const double (&gradient)[Fields::n][Fields::dim], const d
 template <typename Fields>
 void add_fluxes(const FirstDerivatives<>& d, PointSystem<Fields>& system)
 {
-  for (int J = 0; J < Fields::dim; ++J) {
-    for (int i = 0; i < Fields::dim; ++i)
-      system.S[i][J] += d.P[i][J];
+  constexpr int dim = Fields::dim;
+  for (int J = 0; J < dim; ++J) {
+    for (int i = 0; i < dim; ++i)
+      system.S[i][J] += d.P[axis<dim>(i)][axis<dim>(J)];
     if constexpr (Fields::has_potential)
-      system.S[Fields::potential][J] += d.D[J];
+      system.S[Fields::potential][J] += d.D[axis<dim>(J)];
   }
 }
 
@@ -71,22 +73,24 @@ void add_moduli(const SecondDerivatives<>& d, PointSystem<Fields>& system)
   constexpr int dim = Fields::dim, phi = Fields::potential;
   for (int J = 0; J < dim; ++J)
     for (int L = 0; L < dim; ++L) {
+      const int xJ = axis<dim>(J), xL = axis<dim>(L);
       for (int i = 0; i < dim; ++i) {
+        const int xi = axis<dim>(i);
         for (int k = 0; k < dim; ++k)
-          system.M[i][J][L][k] += d.dP_dF[i][J][k][L];
+          system.M[i][J][L][k] += d.dP_dF[xi][xJ][axis<dim>(k)][xL];
         if constexpr (Fields::has_potential) { // E = -grad phi and dD/dF = -(dP/dE)^T
-          system.M[i][J][L][phi] -= d.dP_dE[i][J][L];
-          system.M[phi][J][L][i] -= d.dP_dE[i][L][J];
+          system.M[i][J][L][phi] -= d.dP_dE[xi][xJ][xL];
+          system.M[phi][J][L][i] -= d.dP_dE[xi][xL][xJ];
         }
       }
       if constexpr (Fields::has_potential)
-        system.M[phi][J][L][phi] -= d.dD_dE[J][L];
+        system.M[phi][J][L][phi] -= d.dD_dE[xJ][xL];
     }
   for (int J = 0; J < dim; ++J) {
     for (int i = 0; i < dim; ++i)
-      system.m[i][J] += d.dP_dtheta[i][J];
+      system.m[i][J] += d.dP_dtheta[axis<dim>(i)][axis<dim>(J)];
     if constexpr (Fields::has_potential)
-      system.m[phi][J] += d.dD_dtheta[J];
+      system.m[phi][J] += d.dD_dtheta[axis<dim>(J)];
   }
 }
 
@@ -95,11 +99,13 @@ void add_heat_flux(const HeatFlux& heat, PointSystem<Fields>& system)
 {
   constexpr int dim = Fields::dim, theta = Fields::temperature;
   for (int J = 0; J < dim; ++J) {
-    system.S[theta][J] -= heat.Q[J];
+    const int xJ = axis<dim>(J);
+    system.S[theta][J] -= heat.Q[xJ];
     for (int L = 0; L < dim; ++L) {
-      system.M[theta][J][L][theta] -= heat.dQ_dgrad[J][L];
+      const int xL = axis<dim>(L);
+      system.M[theta][J][L][theta] -= heat.dQ_dgrad[xJ][xL];
       for (int k = 0; k < dim; ++k)
-        system.M[theta][J][L][k] -= heat.dQ_dF[J][k][L];
+        system.M[theta][J][L][k] -= heat.dQ_dF[xJ][axis<dim>(k)][xL];
     }
   }
 }

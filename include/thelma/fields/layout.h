@@ -32,6 +32,7 @@ struct Cell {
   unsigned int n_components; ///< fields on this cell, counted by components
   bool has_potential;
   std::vector<dealii::types::global_dof_index> dofs;
+  std::vector<unsigned int> local; ///< the same within this rank's part of their block
 };
 
 /// Which field lives where, and the numbering: displacement everywhere, potential only in regions
@@ -72,6 +73,12 @@ public:
   /// A zero vector whose ghost entries are those of this rank's cells.
   BlockVector new_vector() const;
 
+  /// Values of @p x (with ghosts) at the unknowns of @p cell.
+  void gather(const Cell<dim>& cell, const BlockVector& x, std::vector<double>& values) const;
+
+  /// Add @p values to the entries of @p x, own or ghost; compress(add) comes later.
+  void scatter(const Cell<dim>& cell, const std::vector<double>& values, BlockVector& x) const;
+
   /// Local index of component @p c of node @p a of an @p fe_index cell, or nothing if absent.
   std::optional<unsigned int> local_dof(unsigned int fe_index, unsigned int a,
                                         unsigned int c) const;
@@ -82,6 +89,7 @@ public:
 private:
   void build_elements();
   void number_blockwise();
+  unsigned int block_on_cell(const Cell<dim>& cell, unsigned int c) const;
   void collect_cells(const Mesh<dim>& mesh, const MaterialLibrary& materials);
 
   unsigned int polynomial_degree = 1;

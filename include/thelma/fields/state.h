@@ -11,14 +11,14 @@ namespace thelma
 class State
 {
 public:
-  /// Begin a path at load 0 with @p x as its accepted start.
-  void start(BlockVector x);
+  /// Begin a path at load 0 with the iterate as its accepted start.
+  void start();
 
   /// Remember the iterate as the converged state at the load factor @p load.
   void accept(double load);
 
   /// Return to the last accepted state.
-  void restore() { x = past.back().x; }
+  void restore();
 
   /// Extrapolate the last accepted states (up to three) to @p load.
   void predict(double load);
@@ -30,14 +30,16 @@ public:
   /// parabola load(arc length of displacements); infinity while the load does not slow down.
   double estimated_limit() const;
 
-  BlockVector x;       ///< values of all fields, with ghosts
-  double voltage = 0.; ///< kV
-  double theta = 0.;   ///< uniform temperature in K
+  BlockVector x;                ///< values of all fields, with ghosts
+  std::vector<double> internal; ///< unknowns inside the own cells, such as element pressures
+  double voltage = 0.;          ///< kV
+  double theta = 0.;            ///< uniform temperature in K
 
 private:
   struct Accepted {
     double load;
     BlockVector x;
+    std::vector<double> internal;
   };
   std::vector<Accepted> past; ///< at most three, the newest last
 };

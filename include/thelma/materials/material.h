@@ -14,8 +14,8 @@ struct Energies {
   double electric; ///< stored field energy, D.E/2 for a linear dielectric
 };
 
-/// What the rest of the program knows of a material. `first` and `second` leave the volumetric
-/// energy out; the element formulation adds it by its own rule.
+/// What the rest of the program knows of a material. The derivatives leave the volumetric energy
+/// out; the element formulation adds it by its own rule.
 class Material
 {
 public:
@@ -25,8 +25,8 @@ public:
   virtual void declare(dealii::ParameterHandler& prm) = 0;
 
   virtual Energies energies(const PointState<>& state) const = 0;
-  virtual FirstDerivatives<> first(const PointState<>& state) const = 0;
-  virtual SecondDerivatives<> second(const PointState<>& state) const = 0;
+  virtual void evaluate(const PointState<>& state, FirstDerivatives<>& out) const = 0;
+  virtual void evaluate(const PointState<>& state, SecondDerivatives<>& out) const = 0;
 
   /// Shear modulus (MPa) and permittivity (N/kV^2) of the undeformed material.
   virtual double shear_modulus(double theta) const = 0;
@@ -105,14 +105,14 @@ public:
             -dielectric.psi(state, kin)};
   }
 
-  FirstDerivatives<> first(const PointState<>& state) const override
+  void evaluate(const PointState<>& state, FirstDerivatives<>& out) const override
   {
-    return first_derivatives(state);
+    out = first_derivatives(state);
   }
 
-  SecondDerivatives<> second(const PointState<>& state) const override
+  void evaluate(const PointState<>& state, SecondDerivatives<>& out) const override
   {
-    return second_derivatives(state);
+    out = second_derivatives(state);
   }
 
   double shear_modulus(const double theta) const override { return elastic.shear_modulus(theta); }
