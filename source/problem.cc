@@ -63,6 +63,13 @@ void Problem<dim>::declare()
   }
   loading.declare(prm);
   stepper.declare(prm);
+  {
+    const Section section(prm, {"Stepping"});
+    prm.add_parameter("Unstable states", unstable_states,
+                      "Whether an equilibrium with unstable directions ends the run (`reject`) or "
+                      "is kept, with an event in the curve (`keep`).",
+                      Selection("reject|keep"));
+  }
   newton.declare(prm);
   {
     const Section section(prm, {"Output"});
@@ -202,17 +209,21 @@ bool Problem<dim>::follow(Stepper& steps, const std::function<void(double)>& pre
   return steps.finished();
 }
 
-/// A converged state counts only if it is stable.
+template <int dim>
+long long Problem<dim>::unstable_directions(const NewtonReport& report) const
+{
+  return system.is_symmetric() ? system.unstable_directions(report.negative_pivots) : 0;
+}
+
+/// A converged state counts only if it is stable, unless the scene says otherwise.
 template <int dim>
 NewtonReport Problem<dim>::solve() const
 {
   NewtonReport report = newton.solve(system);
-  if (report.converged && system.is_symmetric()) {
-    const long long unstable = system.unstable_directions(report.negative_pivots);
-    if (unstable != 0) {
-      report.converged = false;
-      report.reason = "the state found has " + std::to_string(unstable) + " unstable direction(s)";
-    }
+  const long long unstable = unstable_directions(report);
+  if (report.converged && unstable != 0 && unstable_states == "reject") {
+    report.converged = false;
+    report.reason = "the state found has " + std::to_string(unstable) + " unstable direction(s)";
   }
   return report;
 }
@@ -258,10 +269,13 @@ void Problem<dim>::record(const double load, const NewtonReport& report)
       row.push_back(value);
   row.push_back(report.min_det_F);
   if (system.is_symmetric())
-    row.push_back(0.); // or the state would not have been accepted
+    row.push_back(static_cast<double>(unstable_directions(report)));
   row.push_back(report.iterations);
   row.push_back(now() - outcome.seconds);
   curve->add(row);
+  if (unstable_directions(report) != last_unstable)
+    curve->set_event("bifurcation");
+  last_unstable = unstable_directions(report);
   if (is_rank_0())
     curve->write(folder + "/curve.csv");
   fields.write(scene(), folder, curve->n_rows() - 1, load, false);

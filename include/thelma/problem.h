@@ -42,6 +42,7 @@ private:
   void apply_voltage();
   bool follow(Stepper& steps, const std::function<void(double)>& prescribe, const Record& record);
   NewtonReport solve() const;
+  long long unstable_directions(const NewtonReport& report) const;
   void explain_end(const Stepper& steps);
   void record(double load, const NewtonReport& report);
   void finish();
@@ -73,6 +74,8 @@ private:
   std::unique_ptr<Curve> curve;
   Outcome outcome;
   std::string last_failure;
+  std::string unstable_states = "reject";
+  long long last_unstable = 0; ///< unstable directions at the newest row of the curve
 };
 
 } // namespace thelma

@@ -2,6 +2,7 @@
 #include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
 #include <thelma/fields/boundary_conditions.h>
+#include <thelma/fields/named_dofs.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -11,24 +12,6 @@ namespace thelma
 {
 namespace
 {
-
-/// Whether the point @p p of the reference cell lies on the face, line or vertex that the local
-/// vertices in @p mask span.
-template <int dim>
-bool lies_on(const dealii::Point<dim>& p, const std::uint8_t mask)
-{
-  for (unsigned int d = 0; d < dim; ++d) {
-    bool low = true, high = true;
-    for (unsigned int v = 0; v < dealii::GeometryInfo<dim>::vertices_per_cell; ++v)
-      if (mask & (1u << v)) {
-        low = low && !(v & (1u << d));
-        high = high && (v & (1u << d));
-      }
-    if ((low && p[d] > 1e-10) || (high && p[d] < 1. - 1e-10))
-      return false;
-  }
-  return true;
-}
 
 /// Directions (from 0) named by a text such as "u1 u3".
 template <int dim>
@@ -94,26 +77,11 @@ void BoundaryConditions<dim>::fix(const Mesh<dim>& mesh, const FieldLayout<dim>&
                                   const std::string& surface, const std::string& place,
                                   const unsigned int component, const double value, Values& values)
 {
-  const auto& points = layout.scalar_element().get_unit_support_points();
-  std::vector<dealii::types::global_dof_index> indices;
-  const std::size_t before = values.size();
-  for (const auto& [entity, vertices] : mesh.surface(surface, place)) {
-    const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
-        &mesh.triangulation(), entity->level(), entity->index(), &layout.dof_handler());
-    indices.resize(cell->get_fe().dofs_per_cell);
-    cell->get_dof_indices(indices);
-    for (unsigned int a = 0; a < points.size(); ++a)
-      if (lies_on<dim>(points[a], vertices))
-        if (const auto i = layout.local_dof(cell->active_fe_index(), a, component)) {
-          const auto inserted = values.emplace(indices[*i], value);
-          if (inserted.first->second != value)
-            throw InputError(place + ": surface '" + surface +
-                             "' touches another one with a different value; prescribe one value "
-                             "at each point");
-        }
-  }
-  if (values.size() == before && mesh.surface(surface, place).empty())
-    throw InputError(place + ": surface '" + surface + "' touches no cell");
+  for (const auto dof : dofs_on(mesh, layout, surface, place, component))
+    if (values.emplace(dof, value).first->second != value)
+      throw InputError(place + ": surface '" + surface +
+                       "' touches another one with a different value; prescribe one value at each "
+                       "point");
 }
 
 template <int dim>
@@ -141,12 +109,11 @@ void BoundaryConditions<dim>::fix_electrodes(const Mesh<dim>& mesh, const FieldL
   if (std::none_of(electrodes.begin(), electrodes.end(), is_ground))
     throw InputError(place + ": there is no ground electrode; give one surface the potential 0");
   for (const auto& [surface, factor] : electrodes) {
-    const std::size_t before = driven_dofs.size();
-    fix(mesh, layout, surface, place, layout.first_component(Field::potential), factor,
-        driven_dofs);
-    if (driven_dofs.size() == before)
+    const unsigned int phi = layout.first_component(Field::potential);
+    if (dofs_on(mesh, layout, surface, place, phi).empty())
       throw InputError(place + ": surface '" + surface +
                        "' touches only regions without electric field");
+    fix(mesh, layout, surface, place, phi, factor, driven_dofs);
   }
 }
 

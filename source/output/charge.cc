@@ -15,7 +15,7 @@ class Charge final : public Observable<dim>
 public:
   std::vector<std::string> columns() const override { return {"charge_uC", "capacitance_nF"}; }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) const override
+  std::vector<double> evaluate(const Scene<dim>& scene) override
   {
     const auto owned = scene.layout.dof_handler().locally_owned_dofs();
     double charge = 0.;

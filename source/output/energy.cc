@@ -25,7 +25,7 @@ public:
     return {"energy_elastic_mJ", "energy_electric_mJ"};
   }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) const override
+  std::vector<double> evaluate(const Scene<dim>& scene) override
   {
     std::vector<double> sums{0., 0.};
     scene.system.for_each_cell([&](const CellView<dim>& view) {

@@ -11,6 +11,10 @@ const NamedList<Observable<dim>>& observables()
   static const NamedList<Observable<dim>> list = []() {
     std::vector<std::pair<std::string, typename NamedList<Observable<dim>>::Factory>> entries{
         {"charge", make_charge<dim>}, {"energy", make_energy<dim>}};
+    for (const std::string name : {"tip", "centre"})
+      entries.emplace_back(name, [name]() { return make_displacement<dim>(name); });
+    for (const std::string name : {"mid_rotation", "end_rotation"})
+      entries.emplace_back(name, [name]() { return make_rotation<dim>(name); });
     for (unsigned int i = 0; i < dim; ++i)
       entries.emplace_back("lambda_" + std::to_string(axis<dim>(i) + 1),
                            [i]() { return make_stretch<dim>(i); });

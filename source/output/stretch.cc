@@ -95,7 +95,7 @@ public:
     return {"lambda_" + std::to_string(axis<dim>(direction) + 1)};
   }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) const override
+  std::vector<double> evaluate(const Scene<dim>& scene) override
   {
     const double change = high.displacement(scene.state.x) - low.displacement(scene.state.x);
     return {1. + change / (high.position - low.position)};

@@ -60,7 +60,9 @@ def main():
                 *[option.format(folder=folder) for option in options]]
             for ranks in all_ranks:
                 code, text = complaint(program, arguments, ranks)
-                lines = [line for line in text.splitlines() if line.strip()]
+                # Open MPI's hwloc speaks up where /sys is not mounted.
+                lines = [line for line in text.splitlines()
+                         if line.strip() and not line.startswith("[hwloc/")]
                 print(f"{name} ({ranks}): {text.strip()}")
                 require(code == 1, f"{name} on {ranks} ranks: exit code {code}, not 1")
                 require(len(lines) == 1, f"{name} on {ranks} ranks: {len(lines)} lines, not one")

@@ -38,7 +38,9 @@ public:
 
   /// Column names with their unit, such as `charge_uC`.
   virtual std::vector<std::string> columns() const = 0;
-  virtual std::vector<double> evaluate(const Scene<dim>& scene) const = 0;
+
+  /// Once per accepted step, in order, so that angles can be followed past a full turn.
+  virtual std::vector<double> evaluate(const Scene<dim>& scene) = 0;
 };
 
 template <int dim>
@@ -48,6 +50,10 @@ template <int dim>
 std::unique_ptr<Observable<dim>> make_charge();
 template <int dim>
 std::unique_ptr<Observable<dim>> make_energy();
+template <int dim>
+std::unique_ptr<Observable<dim>> make_rotation(const std::string& name);
+template <int dim>
+std::unique_ptr<Observable<dim>> make_displacement(const std::string& name);
 template <int dim>
 std::unique_ptr<Observable<dim>> make_stretch(unsigned int direction);
 

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <thelma/fields/layout.h>
+
+#include <set>
+#include <string>
+
+namespace thelma
+{
+
+/// The unknowns of @p component on the named surface, line or point, over all ranks; empty if the
+/// field does not live there. Throws InputError, with @p place in the sentence, for unknown names
+/// and for surfaces that touch no cell.
+template <int dim>
+std::set<dealii::types::global_dof_index>
+dofs_on(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string& surface,
+        const std::string& place, unsigned int component);
+
+} // namespace thelma

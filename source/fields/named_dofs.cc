@@ -1,0 +1,60 @@
+#include <thelma/base/error.h>
+#include <thelma/fields/named_dofs.h>
+
+namespace thelma
+{
+namespace
+{
+
+/// Whether the point @p p of the reference cell lies on the face, line or vertex that the local
+/// vertices in @p mask span.
+template <int dim>
+bool lies_on(const dealii::Point<dim>& p, const std::uint8_t mask)
+{
+  for (unsigned int d = 0; d < dim; ++d) {
+    bool low = true, high = true;
+    for (unsigned int v = 0; v < dealii::GeometryInfo<dim>::vertices_per_cell; ++v)
+      if (mask & (1u << v)) {
+        low = low && !(v & (1u << d));
+        high = high && (v & (1u << d));
+      }
+    if ((low && p[d] > 1e-10) || (high && p[d] < 1. - 1e-10))
+      return false;
+  }
+  return true;
+}
+
+} // namespace
+
+template <int dim>
+std::set<dealii::types::global_dof_index>
+dofs_on(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string& surface,
+        const std::string& place, const unsigned int component)
+{
+  const auto& entities = mesh.surface(surface, place);
+  if (entities.empty())
+    throw InputError(place + ": surface '" + surface + "' touches no cell");
+  const auto& points = layout.scalar_element().get_unit_support_points();
+  std::vector<dealii::types::global_dof_index> indices;
+  std::set<dealii::types::global_dof_index> dofs;
+  for (const auto& [entity, vertices] : entities) {
+    const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
+        &mesh.triangulation(), entity->level(), entity->index(), &layout.dof_handler());
+    indices.resize(cell->get_fe().dofs_per_cell);
+    cell->get_dof_indices(indices);
+    for (unsigned int a = 0; a < points.size(); ++a)
+      if (lies_on<dim>(points[a], vertices))
+        if (const auto i = layout.local_dof(cell->active_fe_index(), a, component))
+          dofs.insert(indices[*i]);
+  }
+  return dofs;
+}
+
+template std::set<dealii::types::global_dof_index> dofs_on(const Mesh<2>&, const FieldLayout<2>&,
+                                                           const std::string&, const std::string&,
+                                                           unsigned int);
+template std::set<dealii::types::global_dof_index> dofs_on(const Mesh<3>&, const FieldLayout<3>&,
+                                                           const std::string&, const std::string&,
+                                                           unsigned int);
+
+} // namespace thelma

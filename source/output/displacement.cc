@@ -1,0 +1,67 @@
+#include <thelma/base/axes.h>
+#include <thelma/fields/named_dofs.h>
+#include <thelma/output/observables.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace thelma
+{
+namespace
+{
+
+/// Mean displacement of the nodes of a named point, line or surface: `tip_u1_mm`, ...
+template <int dim>
+class Displacement final : public Observable<dim>
+{
+public:
+  explicit Displacement(std::string name) : name(std::move(name)) {}
+
+  void declare(dealii::ParameterHandler& prm) override
+  {
+    prm.add_parameter("At", group, "Point, line or surface whose mean displacement is wanted.");
+  }
+
+  void setup(const Scene<dim>& scene) override
+  {
+    const std::string place = "section Observables/" + name + ", entry 'At'";
+    for (unsigned int c = 0; c < dim; ++c)
+      dofs[c] = dofs_on(scene.mesh, scene.layout, group, place, c);
+  }
+
+  std::vector<std::string> columns() const override
+  {
+    std::vector<std::string> names;
+    for (int c = 0; c < dim; ++c)
+      names.push_back(name + "_" + component_name<dim>(c) + "_mm");
+    return names;
+  }
+
+  std::vector<double> evaluate(const Scene<dim>& scene) override
+  {
+    const auto owned = scene.layout.dof_handler().locally_owned_dofs();
+    std::vector<double> sums(dim, 0.), means(dim);
+    for (unsigned int c = 0; c < dim; ++c)
+      for (const auto dof : dofs[c])
+        if (owned.is_element(dof))
+          sums[c] += scene.state.x(dof) / dofs[c].size();
+    dealii::Utilities::MPI::sum(sums, scene.layout.communicator(), means);
+    return means;
+  }
+
+private:
+  std::string name, group;
+  std::array<std::set<dealii::types::global_dof_index>, dim> dofs;
+};
+
+} // namespace
+
+template <int dim>
+std::unique_ptr<Observable<dim>> make_displacement(const std::string& name)
+{
+  return std::make_unique<Displacement<dim>>(name);
+}
+
+template std::unique_ptr<Observable<2>> make_displacement(const std::string&);
+template std::unique_ptr<Observable<3>> make_displacement(const std::string&);
+
+} // namespace thelma
