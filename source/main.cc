@@ -54,7 +54,8 @@ ExitCode run(const CommandLine& line, std::ostream& out)
 
 int main(int argc, char** argv)
 {
-  // More threads than ranks only compete; in the bending scene they spent 41 % of all CPU time in the kernel.
+  // More threads than ranks only compete; in the bending scene they spent 41 % of all CPU time in
+  // the kernel.
   if (openblas_set_num_threads != nullptr)
     openblas_set_num_threads(1);
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);

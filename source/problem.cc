@@ -203,7 +203,7 @@ bool Problem<dim>::follow(Stepper& steps, const std::function<void(double)>& pre
       continue;
     }
     state.accept(load);
-    steps.accept(report.iterations);
+    steps.accept(report.iterations, state.estimated_limit());
     on_accept(load, report);
   }
   return steps.finished();

@@ -19,7 +19,7 @@ void State::restore()
 
 void State::accept(const double load)
 {
-  if (past.size() == 3)
+  if (past.size() == memory)
     past.erase(past.begin());
   past.push_back({load, x, internal});
 }
@@ -45,20 +45,21 @@ double State::estimated_limit() const
   const double never = std::numeric_limits<double>::infinity();
   if (past.size() < 3)
     return never;
+  const Accepted* last = past.data() + past.size() - 3;
   double arc[3] = {0., 0., 0.};
   for (int i = 1; i < 3; ++i) {
-    auto step = past[i].x.block(0);
-    step -= past[i - 1].x.block(0);
+    auto step = last[i].x.block(0);
+    step -= last[i - 1].x.block(0);
     arc[i] = arc[i - 1] + step.l2_norm();
   }
   // Newton's divided differences of load over arc length.
-  const double first = (past[1].load - past[0].load) / (arc[1] - arc[0]);
+  const double first = (last[1].load - last[0].load) / (arc[1] - arc[0]);
   const double second =
-      ((past[2].load - past[1].load) / (arc[2] - arc[1]) - first) / (arc[2] - arc[0]);
+      ((last[2].load - last[1].load) / (arc[2] - arc[1]) - first) / (arc[2] - arc[0]);
   if (!(second < 0.))
     return never;
   const double vertex = (arc[0] + arc[1]) / 2. - first / (2. * second);
-  return past[0].load + first * (vertex - arc[0]) + second * (vertex - arc[0]) * (vertex - arc[1]);
+  return last[0].load + first * (vertex - arc[0]) + second * (vertex - arc[0]) * (vertex - arc[1]);
 }
 
 } // namespace thelma

@@ -44,10 +44,10 @@ double Stepper::next()
   return trial;
 }
 
-void Stepper::accept(const unsigned int newton_iterations)
+void Stepper::accept(const unsigned int newton_iterations, const double estimated_limit)
 {
   load = trial;
-  if (load >= upper)
+  if (load >= upper || estimated_limit > upper + (upper - load))
     upper = no_failure;
   if (newton_iterations <= easy)
     size = std::min(1.5 * size, largest);

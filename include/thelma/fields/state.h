@@ -20,7 +20,7 @@ public:
   /// Return to the last accepted state.
   void restore();
 
-  /// Extrapolate the last accepted states (up to three) to @p load.
+  /// Extrapolate the last accepted states to @p load.
   void predict(double load);
 
   /// Load factor of the last accepted state.
@@ -41,7 +41,8 @@ private:
     BlockVector x;
     std::vector<double> internal;
   };
-  std::vector<Accepted> past; ///< at most three, the newest last
+  static constexpr std::size_t memory = 4;
+  std::vector<Accepted> past; ///< at most so many, the newest last
 };
 
 } // namespace thelma

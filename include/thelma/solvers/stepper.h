@@ -18,7 +18,10 @@ public:
 
   /// Next load factor to try.
   double next();
-  void accept(unsigned int newton_iterations);
+
+  /// @p estimated_limit: where the path through the last states would end by itself; a failure
+  /// well before it was one of the method, not of the body, and is forgotten.
+  void accept(unsigned int newton_iterations, double estimated_limit);
   void cut_back();
 
   bool finished() const { return load >= 1.; }

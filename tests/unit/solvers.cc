@@ -1,0 +1,104 @@
+// The load stepper and Newton's method on systems whose answers are known by hand.
+
+#include <thelma/solvers/newton.h>
+#include <thelma/solvers/stepper.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+
+using namespace thelma;
+
+constexpr double far_away = std::numeric_limits<double>::infinity();
+
+/// Drives a stepper over a path that exists up to @p limit.
+Stepper run_to(const double limit, const double resolution)
+{
+  Stepper stepper;
+  stepper.start(resolution, 0.1);
+  while (!stepper.finished() && !stepper.exhausted()) {
+    if (stepper.next() <= limit)
+      stepper.accept(4, limit);
+    else
+      stepper.cut_back();
+  }
+  return stepper;
+}
+
+TEST(Stepper, ReachesTheTargetExactly)
+{
+  const Stepper stepper = run_to(2., 1e-4);
+  EXPECT_TRUE(stepper.finished());
+  EXPECT_EQ(stepper.accepted(), 1.);
+}
+
+TEST(Stepper, BracketsALimit)
+{
+  const double limit = 0.6873653;
+  const Stepper stepper = run_to(limit, 1e-4);
+  EXPECT_TRUE(stepper.exhausted());
+  EXPECT_LE(stepper.accepted(), limit);
+  EXPECT_GT(stepper.failed(), limit);
+  EXPECT_LE(stepper.failed() - stepper.accepted(), 1e-4);
+}
+
+TEST(Stepper, ForgetsAFailureThatThePathContradicts)
+{
+  Stepper stepper;
+  stepper.start(1e-4, 0.2);
+  stepper.next();
+  stepper.cut_back();
+  EXPECT_EQ(stepper.next(), 0.1);
+  stepper.accept(2, far_away);
+  EXPECT_GT(stepper.failed(), 1.);
+}
+
+/// exp(x) = 1 + load, with det F = 1 - x so that large steps are forbidden.
+struct Exponential : NonlinearSystem {
+  ResidualReport residual() override { return {std::abs(std::exp(x) - target), 1. - x}; }
+  LinearReport linear_solve() override
+  {
+    base = x;
+    correction = -(std::exp(x) - target) / std::exp(x);
+    return {true, "", 3};
+  }
+  void move_to(const double step) override { x = base + step * correction; }
+
+  double x = 0., target = 2., base = 0., correction = 0.;
+};
+
+TEST(Newton, ConvergesQuadraticallyToTheLogarithm)
+{
+  Exponential system;
+  const NewtonReport report = Newton().solve(system);
+  EXPECT_TRUE(report.converged);
+  EXPECT_NEAR(system.x, std::log(2.), 1e-10);
+  EXPECT_EQ(report.negative_pivots, 3);
+  const std::vector<double>& r = report.residuals;
+  ASSERT_GE(r.size(), 4u);
+  EXPECT_GT(std::log(r[3] / r[2]) / std::log(r[2] / r[1]), 1.8);
+}
+
+TEST(Newton, KeepsTheDeterminantPositive)
+{
+  Exponential system;
+  system.x = -2.; // the full step would go to x = 11.8
+  const NewtonReport report = Newton().solve(system);
+  EXPECT_TRUE(report.converged) << report.reason;
+  EXPECT_NEAR(system.x, std::log(2.), 1e-10);
+}
+
+TEST(Newton, FailsAsAValue)
+{
+  Exponential system;
+  system.target = -1.;
+  const NewtonReport report = Newton().solve(system);
+  EXPECT_FALSE(report.converged);
+  EXPECT_FALSE(report.reason.empty());
+}
+
+} // namespace
