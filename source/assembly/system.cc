@@ -45,6 +45,7 @@ void System<dim>::setup()
   condensation = layout.new_vector();
   correction = layout.new_vector();
   base = layout.new_vector();
+  state.x.update_ghost_values();
   compute_scales();
 }
 

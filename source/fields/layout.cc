@@ -71,7 +71,7 @@ void FieldLayout<dim>::setup(const Mesh<dim>& mesh, const MaterialLibrary& mater
   build_elements();
   dofs.reinit(mesh.triangulation());
   for (const auto& cell : dofs.active_cell_iterators())
-    if (!cell->is_artificial())
+    if (cell->is_locally_owned())
       cell->set_active_fe_index(has(Field::potential) && is_passive(mesh.region_of(cell)) ? 1 : 0);
   dofs.distribute_dofs(elements);
   number_blockwise();

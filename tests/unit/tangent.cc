@@ -21,6 +21,11 @@ struct Case {
   int degree;
 };
 
+void PrintTo(const Case& c, std::ostream* out)
+{
+  *out << c.formulation << ", degree " << c.degree;
+}
+
 class Tangent : public testing::TestWithParam<Case>
 {
 };
