@@ -129,6 +129,27 @@ TEST_P(Tangent, GivesNewtonSecondOrder)
   EXPECT_GE(std::log2(far / near), 1.8) << far << " " << near;
 }
 
+/// Along a whole curve, towards the pull-in at 25.91 kV: the last residuals of each step obey
+/// r_(n+1) <= C r_n^2 down to round-off, with one C for all. (With selective reduction C is about
+/// K/mu times larger: the residual of a step in the soft directions returns in the stiff ones.)
+TEST(NewtonAlongACurve, ResidualsFallQuadraticallyInEveryStep)
+{
+  TestScene<3> scene("subsection Mesh\n set File = meshes/box.geo\nend\n"
+                     "subsection Regions\n set Materials = film: elastomer\nend\n"
+                     "subsection Discretisation\n set Formulation = mean dilatation\nend\n"
+                     "subsection Supports\n set Fixed = x1_min: u1, x2_min: u2, bottom: u3\nend\n"
+                     "subsection Electrodes\n set Potential = bottom: 0, top: 1\nend\n");
+  for (const double voltage : {2., 5., 9., 12., 15., 18., 20., 22., 23., 24., 25., 25.5, 25.8}) {
+    scene.conditions.apply(voltage, 293., 1., scene.state.x);
+    const std::vector<double> r = Newton().solve(scene.system).residuals;
+    const std::size_t n = r.size();
+    ASSERT_GE(n, 3u);
+    ASSERT_LT(r[n - 1], 1e-10) << voltage << " kV";
+    for (const std::size_t k : {n - 2, n - 1})
+      EXPECT_LT(r[k], std::max(100. * r[k - 1] * r[k - 1], 1e-12)) << voltage << " kV";
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Formulations, Tangent,
     testing::Values(Case{false, "selective reduced", 1}, Case{false, "standard", 1},
