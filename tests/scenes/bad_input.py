@@ -40,10 +40,7 @@ CASES = [
 
 def complaint(program, options, ranks):
     """Exit code and standard error of a run that is expected to fail at once."""
-    command = [str(Path(program.binary).resolve()), *options]
-    if ranks > 1:
-        command = [program.mpiexec, "--quiet", "-np", str(ranks), "--allow-run-as-root",
-                   "--oversubscribe", "--bind-to", "none", *command]
+    command = program.command(options, ranks)
     done = subprocess.run(command, cwd=program.source, capture_output=True, text=True,
                           check=False, timeout=60)
     return done.returncode, done.stderr

@@ -24,12 +24,8 @@ def main():
     for name, code, outcome, options in CASES:
         for ranks in all_ranks:
             with tempfile.TemporaryDirectory() as folder:
-                command = [str(Path(program.binary).resolve()), "prm/planar_actuator.prm",
-                           "--output", folder, *options]
-                if ranks > 1:
-                    command = [program.mpiexec, "--quiet", "-np", str(ranks),
-                               "--allow-run-as-root", "--oversubscribe", "--bind-to", "none",
-                               *command]
+                command = program.command(
+                    ["prm/planar_actuator.prm", "--output", folder, *options], ranks)
                 done = subprocess.run(command, cwd=program.source, capture_output=True, text=True,
                                       check=False, timeout=60)
                 report = json.loads((Path(folder) / "run.json").read_text())

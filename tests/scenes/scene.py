@@ -17,13 +17,17 @@ class Program:
     mpiexec: str
     source: Path
 
+    def command(self, arguments, ranks):
+        """The command line that starts the program on so many ranks."""
+        command = [str(Path(self.binary).resolve()), *arguments]
+        if ranks > 1:
+            command = [self.mpiexec, "--quiet", "-np", str(ranks), "--allow-run-as-root",
+                       "--oversubscribe", "--bind-to", "none", *command]
+        return command
+
     def run(self, scene, output, *options, ranks=1):
         """Runs prm/SCENE.prm in the source directory, into output; fails unless the exit is 0."""
-        command = [str(Path(self.binary).resolve()), f"prm/{scene}.prm", *options,
-                   "--output", str(output)]
-        if ranks > 1:
-            command = [self.mpiexec, "-np", str(ranks), "--allow-run-as-root", "--oversubscribe",
-                       "--bind-to", "none", *command]
+        command = self.command([f"prm/{scene}.prm", *options, "--output", str(output)], ranks)
         done = subprocess.run(command, cwd=self.source, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, check=False)
         if done.returncode != 0:
