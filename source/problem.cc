@@ -30,7 +30,8 @@ double now()
 template <int dim>
 Problem<dim>::Problem(const ParameterFile& file, std::string output)
     : file_name(file.name()), folder(std::move(output)), console(std::cout, is_rank_0()),
-      materials(file), mesh(MPI_COMM_WORLD), system(layout, conditions, state, timings)
+      materials(file), mesh(MPI_COMM_WORLD), system(layout, conditions, state, timings),
+      predictor(layout, conditions, state)
 {
   file.peek([&](dealii::ParameterHandler& choices) {
     const Section section(choices, {"Output"});
@@ -103,6 +104,7 @@ void Problem<dim>::setup()
   if (layout.has(Field::temperature))
     state.x.block(layout.block(Field::temperature)) = theta_start;
   system.setup();
+  predictor.setup();
   state.start();
 
   std::vector<std::string> columns{"step", "load", "voltage_kV", "e", "theta_K"};
@@ -159,7 +161,7 @@ void Problem<dim>::heat()
   };
   NewtonReport last;
   const auto remember = [&](double, const NewtonReport& report) { last = report; };
-  if (follow(steps, prescribe, remember)) {
+  if (follow(steps, LoadSymmetry::none, prescribe, remember)) {
     state.start();
     record(0., last);
   } else
@@ -175,7 +177,7 @@ void Problem<dim>::apply_voltage()
     state.voltage = loading.voltage(load);
     conditions.apply(state.voltage, theta_start, 1., state.x);
   };
-  if (!follow(stepper, prescribe,
+  if (!follow(stepper, LoadSymmetry::voltage, prescribe,
               [&](const double load, const NewtonReport& report) { record(load, report); })) {
     prescribe(state.accepted_load());
     explain_end(stepper);
@@ -186,12 +188,12 @@ void Problem<dim>::apply_voltage()
 }
 
 template <int dim>
-bool Problem<dim>::follow(Stepper& steps, const std::function<void(double)>& prescribe,
-                          const Record& on_accept)
+bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
+                          const std::function<void(double)>& prescribe, const Record& on_accept)
 {
   while (!steps.finished() && !steps.exhausted()) {
     const double load = steps.next();
-    state.predict(load);
+    predictor.predict(load, symmetry);
     prescribe(load);
     const NewtonReport report = solve();
     outcome.newton_iterations += report.iterations;

@@ -24,22 +24,6 @@ void State::accept(const double load)
   past.push_back({load, x, internal});
 }
 
-void State::predict(const double load)
-{
-  x = 0.;
-  internal.assign(internal.size(), 0.);
-  for (const Accepted& a : past) {
-    double weight = 1.; // Lagrange's interpolation through the accepted states
-    for (const Accepted& b : past)
-      if (&a != &b)
-        weight *= (load - b.load) / (a.load - b.load);
-    x.add(weight, a.x);
-    for (std::size_t i = 0; i < internal.size(); ++i)
-      internal[i] += weight * a.internal[i];
-  }
-  x.update_ghost_values();
-}
-
 double State::estimated_limit() const
 {
   const double never = std::numeric_limits<double>::infinity();
