@@ -7,6 +7,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace thelma
@@ -193,17 +194,28 @@ bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
 {
   while (!steps.finished() && !steps.exhausted()) {
     const double load = steps.next();
-    predictor.predict(load, symmetry);
+    {
+      const auto timer = timings.measure("prediction");
+      predictor.predict(load, symmetry);
+    }
     prescribe(load);
-    const NewtonReport report = solve();
+    NewtonReport report = solve();
+    const double surprise = predictor.surprise();
+    if (report.converged && surprise > 1. && !steps.finest()) {
+      report.converged = false;
+      report.reason = "the state found is not the continuation of the path";
+    }
     outcome.newton_iterations += report.iterations;
+    outcome.factorisations += report.factorisations;
     if (!report.converged) {
       ++outcome.failed_steps;
       last_failure = report.reason;
       state.restore();
+      predictor.adapt(std::numeric_limits<double>::infinity());
       steps.cut_back();
       continue;
     }
+    predictor.adapt(surprise);
     state.accept(load);
     steps.accept(report.iterations, state.estimated_limit());
     on_accept(load, report);

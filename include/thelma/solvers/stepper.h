@@ -27,6 +27,9 @@ public:
   bool finished() const { return load >= 1.; }
   bool exhausted() const { return failed_from == load && upper - load <= resolution; }
 
+  /// Whether the trial step is near the smallest there is.
+  bool finest() const { return trial - load <= 4. * resolution; }
+
   double accepted() const { return load; }
   double step() const { return size; }
 
