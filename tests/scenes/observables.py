@@ -1,8 +1,9 @@
-"""Reaction, volume, det F and true field against exact homogeneous states, in space and in the plane.
+"""Reaction, volume, det F and true field against exact homogeneous states.
 
     observables.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
 
-Films that are heated, charged and held against expansion in one direction (space) or in both (plane).
+Films that are heated, charged and held against expansion: in space in one direction, in the plane
+in both.
 """
 
 import tempfile
