@@ -24,7 +24,7 @@ public:
   double accepted_load() const { return past.back().load; }
 
   /// The load at which the path through the last three accepted states turns back, from the
-  /// parabola load(arc length of displacements); infinity while the load does not slow down.
+  /// parabola load^2(arc length of displacements); infinity while the load does not slow down.
   double estimated_limit() const;
 
   /// An accepted state.

@@ -41,7 +41,7 @@ private:
   unsigned int easy = 4, hard = 8;
 
   double resolution = 0., load = 0., size = 0., trial = 0.;
-  double upper = 2., failed_from = -1.;
+  double upper = 2., failed_from = -1., expected_limit = 0.;
 };
 
 } // namespace thelma
