@@ -1,7 +1,8 @@
+#include <thelma/application/simulation.h>
 #include <thelma/application/study.h>
 #include <thelma/base/version.h>
 #include <thelma/elements/formulation.h>
-#include <thelma/problem.h>
+#include <thelma/output/observables.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -37,16 +38,17 @@ ExitCode run(const CommandLine& line, std::ostream& out)
     print_lists(out);
     return ExitCode::success;
   case CommandLine::Action::defaults:
-    print_defaults(out);
+    out << default_parameters();
     return ExitCode::success;
   case CommandLine::Action::check:
-    check_scene(ParameterFile(line.file, line.overrides));
+    check_scene(MPI_COMM_WORLD, ParameterFile(line.file, line.overrides));
     out << line.file << ": no problem found\n";
     return ExitCode::success;
   default:
     if (!line.sweeps.empty())
       return run_study(line);
-    return run_scene(ParameterFile(line.file, line.overrides), line.output).code;
+    return run_scene(MPI_COMM_WORLD, ParameterFile(line.file, line.overrides), line.output, out)
+        .code;
   }
 }
 

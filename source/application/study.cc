@@ -1,40 +1,15 @@
+#include <thelma/application/simulation.h>
 #include <thelma/application/study.h>
-#include <thelma/problem.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <sstream>
 
 namespace thelma
 {
 namespace
 {
-
-unsigned int dimension_of(const ParameterFile& file)
-{
-  unsigned int dim = 3;
-  file.peek([&](dealii::ParameterHandler& prm) {
-    prm.add_parameter("Dimension", dim, "", dealii::Patterns::Integer(2, 3));
-  });
-  return dim;
-}
-
-/// Set the scene up and let @p action use it; complaints about the scene name the file.
-template <int dim, typename Action>
-Outcome with_problem(const ParameterFile& file, const std::string& folder, const Action& action)
-{
-  std::unique_ptr<Problem<dim>> problem;
-  try {
-    problem = std::make_unique<Problem<dim>>(file, folder);
-    problem->setup();
-  } catch (const InputError& error) {
-    const std::string sentence = error.what();
-    throw InputError((sentence.rfind("section ", 0) == 0 ? file.name() + ", " : "") + sentence);
-  }
-  return action(*problem);
-}
 
 /// All combinations of the swept values, the last sweep running fastest.
 std::vector<std::vector<Override>> combinations(const std::vector<Sweep>& sweeps)
@@ -69,7 +44,7 @@ Outcome run_case(const CommandLine& line, const std::vector<Override>& changes,
   std::vector<Override> overrides = line.overrides;
   overrides.insert(overrides.end(), changes.begin(), changes.end());
   try {
-    return run_scene(ParameterFile(line.file, overrides), folder);
+    return run_scene(MPI_COMM_WORLD, ParameterFile(line.file, overrides), folder, std::cout);
   } catch (const InputError& error) {
     Outcome outcome;
     outcome.code = ExitCode::bad_input;
@@ -131,31 +106,6 @@ std::string study_table(const std::vector<Case>& cases)
 
 } // namespace
 
-Outcome run_scene(const ParameterFile& file, const std::string& folder)
-{
-  const auto run = [](auto& problem) { return problem.run(); };
-  return dimension_of(file) == 2 ? with_problem<2>(file, folder, run)
-                                 : with_problem<3>(file, folder, run);
-}
-
-void check_scene(const ParameterFile& file)
-{
-  const auto nothing = [](auto&) { return Outcome(); };
-  if (dimension_of(file) == 2)
-    with_problem<2>(file, "", nothing);
-  else
-    with_problem<3>(file, "", nothing);
-}
-
-void print_defaults(std::ostream& out)
-{
-  // Materials and observables have sections once they are named.
-  const ParameterFile example = ParameterFile::from_text(
-      "subsection Regions\n set Materials = film: elastomer\nend\n"
-      "subsection Output\n set Observables = lambda_3, charge, energy\nend\n");
-  Problem<3>(example, "").print_parameters(out);
-}
-
 ExitCode run_study(const CommandLine& line)
 {
   std::vector<Case> cases;
@@ -164,7 +114,7 @@ ExitCode run_study(const CommandLine& line)
     const std::string folder = folder_of(changes);
     cases.push_back({changes, folder, run_case(line, changes, line.output + "/" + folder)});
     worst = std::max(worst, cases.back().outcome.code);
-    on_rank_0([&]() {
+    on_rank_0(MPI_COMM_WORLD, [&]() {
       std::error_code ignored; // write_file says what is wrong
       std::filesystem::create_directories(line.output, ignored);
       write_file(line.output + "/study.csv", study_table(cases));

@@ -9,6 +9,15 @@
 namespace thelma
 {
 
+void create_folder(const std::string& folder)
+{
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw InputError("command line, --output: cannot create the folder '" + folder + "' (" +
+                     error.message() + "); choose another one");
+}
+
 void write_file(const std::string& file, const std::string& content)
 {
   const std::string temporary = file + ".part";
