@@ -41,12 +41,13 @@ ExitCode run(const CommandLine& line, std::ostream& out)
     out << default_parameters();
     return ExitCode::success;
   case CommandLine::Action::check:
-    check_scene(MPI_COMM_WORLD, ParameterFile(line.file, line.overrides));
+    for (const Case& one : cases_of(line))
+      check_scene(MPI_COMM_WORLD, one.file);
     out << line.file << ": no problem found\n";
     return ExitCode::success;
   default:
     if (!line.sweeps.empty())
-      return run_study(line);
+      return Study(MPI_COMM_WORLD, line).run();
     return run_scene(MPI_COMM_WORLD, ParameterFile(line.file, line.overrides), line.output, out)
         .code;
   }

@@ -49,6 +49,12 @@ Outcome run_scene(const MPI_Comm comm, const ParameterFile& file, const std::str
   });
 }
 
+bool is_finished(const ParameterFile& file, const std::string& folder)
+{
+  return with_problem(MPI_COMM_SELF, file, folder, silence(),
+                      [](const auto& problem) { return problem.finished(); });
+}
+
 void check_scene(const MPI_Comm comm, const ParameterFile& file)
 {
   with_problem(comm, file, "", silence(), [](auto& problem) { problem.setup(); });

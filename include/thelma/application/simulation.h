@@ -14,6 +14,9 @@ namespace thelma
 Outcome run_scene(MPI_Comm comm, const ParameterFile& file, const std::string& folder,
                   std::ostream& console);
 
+/// Whether @p folder already holds what run_scene() would write.
+bool is_finished(const ParameterFile& file, const std::string& folder);
+
 /// Read and set up the scene without running it.
 void check_scene(MPI_Comm comm, const ParameterFile& file);
 
