@@ -76,5 +76,6 @@ int main(int argc, char** argv)
   } catch (const std::exception& error) {
     std::cerr << "thelma: internal error, please report it: " << error.what() << std::endl;
   }
-  MPI_Abort(MPI_COMM_WORLD, 70); // the other ranks may be waiting in a message
+  // The other ranks may be waiting in a message.
+  MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitCode::internal_error));
 }
