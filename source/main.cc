@@ -1,7 +1,8 @@
+#include <thelma/application/simulation.h>
 #include <thelma/application/study.h>
 #include <thelma/base/version.h>
 #include <thelma/elements/formulation.h>
-#include <thelma/problem.h>
+#include <thelma/output/observables.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -37,16 +38,18 @@ ExitCode run(const CommandLine& line, std::ostream& out)
     print_lists(out);
     return ExitCode::success;
   case CommandLine::Action::defaults:
-    print_defaults(out);
+    out << default_parameters();
     return ExitCode::success;
   case CommandLine::Action::check:
-    check_scene(ParameterFile(line.file, line.overrides));
+    for (const Case& one : cases_of(line))
+      check_scene(MPI_COMM_WORLD, one.file);
     out << line.file << ": no problem found\n";
     return ExitCode::success;
   default:
     if (!line.sweeps.empty())
-      return run_study(line);
-    return run_scene(ParameterFile(line.file, line.overrides), line.output).code;
+      return Study(MPI_COMM_WORLD, line).run();
+    return run_scene(MPI_COMM_WORLD, ParameterFile(line.file, line.overrides), line.output, out)
+        .code;
   }
 }
 
@@ -73,5 +76,6 @@ int main(int argc, char** argv)
   } catch (const std::exception& error) {
     std::cerr << "thelma: internal error, please report it: " << error.what() << std::endl;
   }
-  MPI_Abort(MPI_COMM_WORLD, 70); // the other ranks may be waiting in a message
+  // The other ranks may be waiting in a message.
+  MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitCode::internal_error));
 }

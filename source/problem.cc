@@ -1,10 +1,8 @@
-#include <thelma/base/version.h>
 #include <thelma/problem.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/utilities.h>
 
-#include <chrono>
+#include <algorithm>
 #include <filesystem>
 #include <iomanip>
 #include <limits>
@@ -12,35 +10,15 @@
 
 namespace thelma
 {
-namespace
-{
-
-bool is_rank_0()
-{
-  return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-}
-
-double now()
-{
-  using std::chrono::duration;
-  return duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-} // namespace
 
 template <int dim>
-Problem<dim>::Problem(const ParameterFile& file, std::string output)
-    : file_name(file.name()), folder(std::move(output)), console(std::cout, is_rank_0()),
-      materials(file), mesh(MPI_COMM_WORLD), system(layout, conditions, state, timings),
-      predictor(layout, conditions, state)
+Problem<dim>::Problem(const MPI_Comm comm, const ParameterFile& file, std::string folder,
+                      std::ostream& console)
+    : scene_folder(std::filesystem::path(file.name()).parent_path().string()),
+      results(comm, file, std::move(folder), console, timings), materials(file), mesh(comm),
+      system(layout, conditions, state, timings), predictor(layout, conditions, state)
 {
-  file.peek([&](dealii::ParameterHandler& choices) {
-    const Section section(choices, {"Output"});
-    choices.add_parameter("Observables", observed_names);
-  });
-  for (const std::string& name : observed_names)
-    observed.emplace_back(name, observables<dim>().create(name));
-  observed_names.clear(); // the declared default
+  outcome.ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
   declare();
   file.read(prm);
 }
@@ -73,28 +51,16 @@ void Problem<dim>::declare()
                       Selection("reject|keep"));
   }
   newton.declare(prm);
-  {
-    const Section section(prm, {"Output"});
-    prm.add_parameter("Observables", observed_names,
-                      "Columns of curve.csv beside the load; known: " +
-                          comma_separated(observables<dim>().names()) + ".");
-  }
-  fields.declare(prm);
-  expectations.declare(prm);
-  for (const auto& [name, observable] : observed) {
-    const Section section(prm, {"Observables", name});
-    observable->declare(prm);
-  }
+  results.declare(prm);
 }
 
 template <int dim>
 void Problem<dim>::setup()
 {
-  const double start = now();
   materials.check(theta);
   {
     const auto timer = timings.measure("mesh");
-    mesh.read(std::filesystem::path(file_name).parent_path().string());
+    mesh.read(scene_folder);
   }
   layout.setup(mesh, materials);
   conditions.setup(mesh, layout);
@@ -108,45 +74,23 @@ void Problem<dim>::setup()
   predictor.setup();
   state.start();
 
-  std::vector<std::string> columns{"step", "load", "voltage_kV", "e", "theta_K"};
-  for (const auto& entry : observed) {
-    entry.second->setup(scene());
-    for (const std::string& column : entry.second->columns())
-      columns.push_back(column);
-  }
-  columns.emplace_back("min_det_F");
-  if (system.is_symmetric())
-    columns.emplace_back("unstable_directions");
-  columns.emplace_back("newton_iterations");
-  columns.emplace_back("seconds");
-  curve = std::make_unique<Curve>(columns);
-  expectations.setup(columns, theta);
+  results.setup(scene(), theta);
 
   outcome.modelled = layout.summary();
   outcome.modelled.push_back(loading.description());
   outcome.cells = mesh.triangulation().n_active_cells();
   for (const Field field : layout.fields())
     outcome.unknowns[field_name(field)] = layout.n_dofs(field);
-  outcome.seconds = now() - start;
 }
 
 template <int dim>
 Outcome Problem<dim>::run()
 {
-  const double start = now() - outcome.seconds;
-  create_folder();
-  console << "Thelma " << version << ", " << file_name << " on "
-          << dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) << " rank(s), "
-          << outcome.cells << " cells\n";
-  for (const std::string& line : outcome.modelled)
-    console << "  " << line << "\n";
-  console << "  temperature: " << theta << " K\n" << std::flush;
-
-  outcome.seconds = start; // until finish(): the moment the run began
+  results.start(parameters(), outcome, theta);
   heat();
   if (outcome.code == ExitCode::success && layout.has(Field::potential))
     apply_voltage();
-  finish();
+  results.finish(scene(), outcome);
   return outcome;
 }
 
@@ -252,20 +196,22 @@ void Problem<dim>::explain_end(const Stepper& steps)
   between << std::setprecision(7) << " between e = " << bracket.e_below << " and "
           << bracket.e_above;
 
-  // At a limit point the path itself announces its end; anything else is not a pull-in.
-  const bool turns_back = limit < steps.failed() + 10. * loading.resolution();
+  // At a limit point the last states themselves announce its end, not farther away than they reach
+  // back; anything else is not a pull-in.
+  const bool turns_back =
+      limit < steps.failed() + std::max(10. * loading.resolution(), state.recent_span() / 2.);
   if (!turns_back) {
     const bool unstable = last_failure.find("unstable") != std::string::npos;
     outcome = failure(unstable ? "instability" : "no convergence",
                       (unstable ? "loss of stability" : "no convergence") + between.str() + ": " +
                           last_failure);
-    curve->set_event(unstable ? "bifurcation" : "no convergence");
+    results.set_event(unstable ? "bifurcation" : "no convergence");
     return;
   }
   outcome.pull_in = bracket;
   outcome.name = "pull-in";
   outcome.reason = "pull-in" + between.str();
-  curve->set_event("pull-in");
+  results.set_event("pull-in");
   if (!loading.expects_pull_in()) {
     outcome.code = ExitCode::not_converged;
     outcome.reason += ", before the target";
@@ -275,42 +221,12 @@ void Problem<dim>::explain_end(const Stepper& steps)
 template <int dim>
 void Problem<dim>::record(const double load, const NewtonReport& report)
 {
-  const auto timer = timings.measure("output");
-  std::vector<double> row{double(curve->n_rows()), load, state.voltage,
-                          loading.field(state.voltage), mean_temperature(scene())};
-  for (const auto& entry : observed)
-    for (const double value : entry.second->evaluate(scene()))
-      row.push_back(value);
-  row.push_back(report.min_det_F);
-  if (system.is_symmetric())
-    row.push_back(static_cast<double>(unstable_directions(report)));
-  row.push_back(report.iterations);
-  row.push_back(now() - outcome.seconds);
-  curve->add(row);
-  if (unstable_directions(report) != last_unstable)
-    curve->set_event("bifurcation");
-  last_unstable = unstable_directions(report);
-  if (is_rank_0())
-    curve->write(folder + "/curve.csv");
-  fields.write(scene(), folder, curve->n_rows() - 1, load, false);
-  print_step(load, report);
-}
-
-template <int dim>
-void Problem<dim>::print_step(const double load, const NewtonReport& report)
-{
-  const double elapsed = now() - outcome.seconds;
-  std::ostringstream line;
-  line << "  step " << std::setw(3) << curve->n_rows() - 1 << "  load " << std::fixed
-       << std::setprecision(6) << load << "  e " << loading.field(state.voltage) << "  V "
-       << std::setprecision(4) << state.voltage << " kV  Newton " << report.iterations
-       << std::scientific << std::setprecision(1) << "  residual " << report.residuals.back()
-       << std::fixed << std::setprecision(4) << "  min det F " << report.min_det_F
-       << std::defaultfloat << std::setprecision(3) << "  step size " << stepper.step();
-  if (load > 0.)
-    line << "  left at most " << std::fixed << std::setprecision(1) << elapsed * (1. - load) / load
-         << " s";
-  console << line.str() << "\n" << std::flush;
+  const long long unstable = unstable_directions(report);
+  results.add(scene(),
+              {load, loading.field(state.voltage), stepper.step(), unstable,
+               unstable != last_unstable ? "bifurcation" : ""},
+              report);
+  last_unstable = unstable;
 }
 
 template <int dim>
@@ -324,54 +240,18 @@ Outcome Problem<dim>::failure(const std::string& name, const std::string& reason
 }
 
 template <int dim>
-void Problem<dim>::finish()
+std::string Problem<dim>::parameters() const
 {
-  outcome.steps = curve->n_rows();
-  if (outcome.code == ExitCode::success) {
-    const std::string complaint = expectations.check(*curve);
-    if (!complaint.empty()) {
-      outcome.code = ExitCode::expectation_failed;
-      outcome.reason = complaint;
-    }
-  }
-  if (!curve->empty())
-    fields.write(scene(), folder, curve->n_rows() - 1, state.accepted_load(), true);
-  outcome.seconds = now() - outcome.seconds;
-  outcome.seconds_per_phase = timings.seconds();
-  if (!curve->empty())
-    for (const std::string& column : curve->names())
-      outcome.final_values.emplace_back(column, *curve->newest(column));
-  if (is_rank_0()) {
-    if (!curve->empty())
-      curve->write(folder + "/curve.csv");
-    write_run_report(outcome, file_name, folder + "/run.json");
-  }
-  console << "  " << (outcome.reason.empty() ? outcome.name : outcome.reason) << "; "
-          << outcome.steps << " steps, " << outcome.newton_iterations << " Newton iterations, "
-          << std::setprecision(3) << outcome.seconds << " s\n"
-          << std::flush;
+  std::ostringstream text;
+  prm.print_parameters(text, dealii::ParameterHandler::Text |
+                                 dealii::ParameterHandler::KeepDeclarationOrder);
+  return text.str();
 }
 
 template <int dim>
-void Problem<dim>::create_folder() const
+bool Problem<dim>::finished() const
 {
-  on_rank_0([&]() {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-      throw InputError("command line, --output: cannot create the folder '" + folder + "' (" +
-                       error.message() + "); choose another one");
-    std::ostringstream used;
-    print_parameters(used);
-    write_file(folder + "/used.prm", used.str());
-  });
-}
-
-template <int dim>
-void Problem<dim>::print_parameters(std::ostream& stream) const
-{
-  prm.print_parameters(stream, dealii::ParameterHandler::Text |
-                                   dealii::ParameterHandler::KeepDeclarationOrder);
+  return results.finished(parameters(), {mesh.path(scene_folder), "/proc/self/exe"});
 }
 
 template <int dim>

@@ -2,17 +2,12 @@
 
 #include <thelma/assembly/predictor.h>
 #include <thelma/base/parameters.h>
-#include <thelma/output/fields.h>
-#include <thelma/output/outcome.h>
+#include <thelma/output/results.h>
 #include <thelma/solvers/stepper.h>
 
-#include <deal.II/base/conditional_ostream.h>
-
 #include <functional>
-#include <memory>
+#include <iosfwd>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace thelma
 {
@@ -22,8 +17,8 @@ template <int dim>
 class Problem
 {
 public:
-  /// Reads and checks @p file; results go to @p folder.
-  Problem(const ParameterFile& file, std::string folder);
+  /// Reads and checks @p file; results go to @p folder, progress to the @p console of rank 0.
+  Problem(MPI_Comm comm, const ParameterFile& file, std::string folder, std::ostream& console);
 
   /// Build mesh, fields and solver. Throws InputError for whatever is wrong with the scene.
   void setup();
@@ -32,13 +27,15 @@ public:
   Outcome run();
 
   /// Every entry with its default or current value.
-  void print_parameters(std::ostream& stream) const;
+  std::string parameters() const;
+
+  /// Whether the folder holds the results of this very scene, computed by this very program.
+  bool finished() const;
 
 private:
   using Record = std::function<void(double load, const NewtonReport&)>;
 
   void declare();
-  void create_folder() const;
   void heat();
   void apply_voltage();
   bool follow(Stepper& steps, LoadSymmetry symmetry, const std::function<void(double)>& prescribe,
@@ -47,15 +44,13 @@ private:
   long long unstable_directions(const NewtonReport& report) const;
   void explain_end(const Stepper& steps);
   void record(double load, const NewtonReport& report);
-  void finish();
   Outcome failure(const std::string& name, const std::string& reason) const;
-  void print_step(double load, const NewtonReport& report);
   Scene<dim> scene() const;
 
-  std::string file_name, folder;
+  std::string scene_folder; ///< from which the scene names its files
   dealii::ParameterHandler prm;
-  dealii::ConditionalOStream console;
   Timings timings;
+  Results<dim> results;
 
   MaterialLibrary materials;
   Mesh<dim> mesh;
@@ -67,14 +62,9 @@ private:
   Loading loading;
   Newton newton;
   Stepper stepper;
-  Expectations expectations;
-  FieldWriter<dim> fields;
-  std::vector<std::pair<std::string, std::unique_ptr<Observable<dim>>>> observed;
-  std::vector<std::string> observed_names;
 
   unsigned int dimension = dim;
   double theta = 293., theta_start = 293.; ///< K
-  std::unique_ptr<Curve> curve;
   Outcome outcome;
   std::string last_failure;
   std::string unstable_states = "reject";

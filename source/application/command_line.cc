@@ -1,14 +1,65 @@
 #include <thelma/application/command_line.h>
 #include <thelma/base/error.h>
+#include <thelma/base/parameters.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <filesystem>
+#include <fstream>
 
 namespace thelma
 {
 namespace
 {
+
+/// The arguments in @p file, one to a line: an option with its value, or a parameter file, which is
+/// looked up from the working directory, then from this file. Lines that start with # are comments.
+std::vector<std::string> read_arguments(const std::string& file)
+{
+  std::ifstream stream(file);
+  if (!stream || std::filesystem::is_directory(file))
+    throw InputError("command line: cannot read the study '" + file +
+                     "'; write @ and the path of an existing file");
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  std::vector<std::string> arguments;
+  for (std::string line; std::getline(stream, line);) {
+    line = dealii::Utilities::trim(line);
+    if (line.empty() || line[0] == '#')
+      continue;
+    if (line[0] != '-') {
+      arguments.push_back(located(line, folder));
+      continue;
+    }
+    const std::size_t blank = line.find(' ');
+    arguments.push_back(line.substr(0, blank));
+    if (blank != std::string::npos)
+      arguments.push_back(dealii::Utilities::trim(line.substr(blank)));
+  }
+  return arguments;
+}
+
+std::vector<std::string> expanded(const std::vector<std::string>& arguments)
+{
+  std::vector<std::string> result;
+  for (const std::string& word : arguments)
+    if (word[0] == '@')
+      for (const std::string& inner : read_arguments(word.substr(1)))
+        result.push_back(inner);
+    else
+      result.push_back(word);
+  return result;
+}
+
+unsigned int parse_ranks_per_case(const std::string& text)
+{
+  const bool is_number =
+      text.size() < 7 && text.find_first_not_of("0123456789") == std::string::npos;
+  const unsigned int ranks = is_number && !text.empty() ? std::stoul(text) : 0;
+  if (ranks == 0)
+    throw InputError("command line, --ranks-per-case: '" + text +
+                     "' is not a number of ranks; write 1, 2, ...");
+  return ranks;
+}
 
 Sweep parse_sweep(const std::string& text)
 {
@@ -23,8 +74,9 @@ Sweep parse_sweep(const std::string& text)
 
 } // namespace
 
-CommandLine CommandLine::parse(const std::vector<std::string>& arguments)
+CommandLine CommandLine::parse(const std::vector<std::string>& given)
 {
+  const std::vector<std::string> arguments = expanded(given);
   CommandLine line;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& word = arguments[i];
@@ -37,6 +89,8 @@ CommandLine CommandLine::parse(const std::vector<std::string>& arguments)
       line.overrides.push_back(Override::parse(value()));
     else if (word == "--sweep")
       line.sweeps.push_back(parse_sweep(value()));
+    else if (word == "--ranks-per-case")
+      line.ranks_per_case = parse_ranks_per_case(value());
     else if (word == "--output")
       line.output = value();
     else if (word == "--check")
@@ -51,8 +105,8 @@ CommandLine CommandLine::parse(const std::vector<std::string>& arguments)
       line.action = Action::help;
     else if (word.rfind("-", 0) == 0)
       throw InputError("command line: unknown option '" + word +
-                       "'; known: --set, --sweep, --output, --check, --list, --defaults, "
-                       "--version, --help");
+                       "'; known: --set, --sweep, --ranks-per-case, --output, --check, --list, "
+                       "--defaults, --version, --help");
     else if (!line.file.empty())
       throw InputError("command line: two parameter files, '" + line.file + "' and '" + word +
                        "'; give one");
@@ -70,26 +124,35 @@ CommandLine CommandLine::parse(const std::vector<std::string>& arguments)
 std::string CommandLine::help()
 {
   return R"(thelma [options] FILE.prm
+thelma @STUDY                        the options and the file are lines of the file STUDY
 Simulates dielectric elastomer actuators: finite deformation, electric field, temperature.
 
   --set "Section/Entry=value"        override an entry; repeatable
   --sweep "Section/Entry=v1,v2,..."  one run per value; repeatable, all combinations
+  --ranks-per-case N                 ranks that share a run of a sweep (default 1); as many
+                                     runs as fit go side by side
   --output DIR                       where results go (default output/<name of FILE>)
   --check                            read the scene, build everything, run nothing
   --list                             known laws, formulations, solvers and observables
   --defaults                         print every entry with its default, unit and meaning
   --version, --help
 
+A sweep leaves a folder per run and study.csv, a row per run. Started again, it runs only what is
+not finished or what has changed since.
+
 Examples
   thelma prm/planar_actuator.prm
   mpirun -np 2 thelma prm/planar_actuator.prm --set "Temperature/Value=353" --output hot
-  thelma prm/planar_actuator.prm --sweep "Temperature/Value=273,293,313,333,353"
+  mpirun -np 2 thelma prm/planar_actuator.prm --sweep "Temperature/Value=273,293,313,333,353"
+  mpirun -np 2 thelma @prm/studies/bending_actuator.study
 
 Exit codes
   0  done, and what the file expects came true
   1  bad input: one sentence says which file, section, entry and value, and the remedy
   2  an expectation of the file failed
   3  no convergence or an unexpected instability; partial results are kept
+  70 an error in the program
+The exit code of a sweep is the largest of its runs.
 )";
 }
 

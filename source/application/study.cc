@@ -1,178 +1,221 @@
+#include <thelma/application/simulation.h>
 #include <thelma/application/study.h>
-#include <thelma/problem.h>
+#include <thelma/base/timings.h>
+#include <thelma/output/run_report.h>
 
-#include <deal.II/base/mpi.h>
+#include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
 #include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <iterator>
+#include <regex>
 #include <sstream>
+#include <sys/file.h>
+#include <unistd.h>
 
 namespace thelma
 {
 namespace
 {
 
-unsigned int dimension_of(const ParameterFile& file)
-{
-  unsigned int dim = 3;
-  file.peek([&](dealii::ParameterHandler& prm) {
-    prm.add_parameter("Dimension", dim, "", dealii::Patterns::Integer(2, 3));
-  });
-  return dim;
-}
+using dealii::Utilities::MPI::n_mpi_processes;
+using dealii::Utilities::MPI::this_mpi_process;
 
-/// Set the scene up and let @p action use it; complaints about the scene name the file.
-template <int dim, typename Action>
-Outcome with_problem(const ParameterFile& file, const std::string& folder, const Action& action)
+/// A text file that no other process may lock meanwhile; the system unlocks it for one that dies.
+class LockedFile
 {
-  std::unique_ptr<Problem<dim>> problem;
-  try {
-    problem = std::make_unique<Problem<dim>>(file, folder);
-    problem->setup();
-  } catch (const InputError& error) {
-    const std::string sentence = error.what();
-    throw InputError((sentence.rfind("section ", 0) == 0 ? file.name() + ", " : "") + sentence);
+public:
+  explicit LockedFile(std::string name)
+      : name(std::move(name)), descriptor(open(this->name.c_str(), O_RDWR)),
+        held(flock(descriptor, LOCK_EX) == 0)
+  {
   }
-  return action(*problem);
-}
+  ~LockedFile() { close(descriptor); }
+  LockedFile(const LockedFile&) = delete;
+  LockedFile& operator=(const LockedFile&) = delete;
 
-/// All combinations of the swept values, the last sweep running fastest.
-std::vector<std::vector<Override>> combinations(const std::vector<Sweep>& sweeps)
-{
-  std::vector<std::vector<Override>> cases(1);
-  for (const Sweep& sweep : sweeps) {
-    std::vector<std::vector<Override>> longer;
-    for (const auto& before : cases)
-      for (const std::string& value : sweep.values) {
-        longer.push_back(before);
-        longer.back().push_back({sweep.entry.sections, sweep.entry.entry, value});
-      }
-    cases = longer;
+  /// Not all network file systems know locks.
+  bool is_held() const { return held; }
+
+  std::size_t n_lines() const
+  {
+    std::ifstream file(name);
+    return std::count(std::istreambuf_iterator<char>(file), {}, '\n');
   }
-  return cases;
-}
+  void append(const std::string& line) const
+  {
+    std::ofstream(name, std::ios::app) << line + "\n" << std::flush;
+  }
 
-/// A folder name such as `Temperature.Value=273`.
-std::string folder_of(const std::vector<Override>& changes)
-{
+private:
   std::string name;
-  for (const Override& change : changes)
-    name += (name.empty() ? "" : ",") + change.path() + "=" + change.value;
-  std::replace(name.begin(), name.end(), '/', '.');
-  std::replace(name.begin(), name.end(), ' ', '_');
-  return name;
-}
-
-Outcome run_case(const CommandLine& line, const std::vector<Override>& changes,
-                 const std::string& folder)
-{
-  std::vector<Override> overrides = line.overrides;
-  overrides.insert(overrides.end(), changes.begin(), changes.end());
-  try {
-    return run_scene(ParameterFile(line.file, overrides), folder);
-  } catch (const InputError& error) {
-    Outcome outcome;
-    outcome.code = ExitCode::bad_input;
-    outcome.name = "bad input";
-    outcome.reason = error.what();
-    return outcome;
-  }
-}
-
-std::string quoted(const std::string& text)
-{
-  std::string result = "\"";
-  for (const char c : text)
-    result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
-}
-
-struct Case {
-  std::vector<Override> changes;
-  std::string folder;
-  Outcome outcome;
+  int descriptor;
+  bool held;
 };
 
-/// The final values of the first case that has any are the columns.
-std::string study_table(const std::vector<Case>& cases)
+Outcome ended_by(const std::exception& error)
 {
-  std::ostringstream table;
-  table.precision(15);
-  std::vector<std::pair<std::string, double>> columns;
-  for (const Case& one : cases)
-    if (columns.empty())
-      columns = one.outcome.final_values;
-  for (const Override& change : cases.front().changes)
-    table << change.path() << ',';
-  table << "directory,exit_code,outcome,reason,e_below,e_above,run_seconds";
-  for (const auto& column : columns)
-    table << ',' << column.first;
-  table << '\n';
-  for (const Case& one : cases) {
-    const Outcome& outcome = one.outcome;
-    for (const Override& change : one.changes)
-      table << quoted(change.value) << ',';
-    table << quoted(one.folder) << ',' << static_cast<int>(outcome.code) << ',' << outcome.name
-          << ',' << quoted(outcome.reason) << ',';
-    if (outcome.pull_in)
-      table << outcome.pull_in->e_below << ',' << outcome.pull_in->e_above;
-    else
-      table << ',';
-    table << ',' << outcome.seconds;
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      table << ',';
-      if (c < outcome.final_values.size())
-        table << outcome.final_values[c].second;
-    }
-    table << '\n';
-  }
-  return table.str();
+  Outcome outcome;
+  const bool is_input = dynamic_cast<const InputError*>(&error) != nullptr;
+  outcome.code = is_input ? ExitCode::bad_input : ExitCode::internal_error;
+  outcome.name = is_input ? "bad input" : "internal error";
+  std::ostringstream reason;
+  if (const auto* internal = dynamic_cast<const dealii::ExceptionBase*>(&error))
+    internal->print_info(reason);
+  else
+    reason << error.what();
+  outcome.reason = std::regex_replace(reason.str(), std::regex("\\s+"), " ");
+  return outcome;
 }
 
 } // namespace
 
-Outcome run_scene(const ParameterFile& file, const std::string& folder)
+Study::Study(const MPI_Comm world, const CommandLine& line)
+    : world(world), group(MPI_COMM_NULL), folder(line.output), cases(cases_of(line))
 {
-  const auto run = [](auto& problem) { return problem.run(); };
-  return dimension_of(file) == 2 ? with_problem<2>(file, folder, run)
-                                 : with_problem<3>(file, folder, run);
+  const unsigned int ranks = n_mpi_processes(world), wanted = line.ranks_per_case;
+  if (wanted > ranks)
+    throw InputError("command line, --ranks-per-case: " + std::to_string(wanted) +
+                     " ranks wanted but there are " + std::to_string(ranks) +
+                     "; start with mpirun -np " + std::to_string(wanted) + " or more");
+  on_rank_0(world, [&]() {
+    for (const Case& one : cases)
+      create_folder(one.folder);
+    write_file(folder + "/log.txt", "");
+  });
+  // Ranks that are left over join the last group.
+  const unsigned int number = std::min(this_mpi_process(world) / wanted, ranks / wanted - 1);
+  MPI_Comm_split(world, static_cast<int>(number), 0, &group);
 }
 
-void check_scene(const ParameterFile& file)
+Study::~Study()
 {
-  const auto nothing = [](auto&) { return Outcome(); };
-  if (dimension_of(file) == 2)
-    with_problem<2>(file, "", nothing);
-  else
-    with_problem<3>(file, "", nothing);
+  MPI_Comm_free(&group);
 }
 
-void print_defaults(std::ostream& out)
+ExitCode Study::run()
 {
-  // Materials and observables have sections once they are named.
-  const ParameterFile example = ParameterFile::from_text(
-      "subsection Regions\n set Materials = film: elastomer\nend\n"
-      "subsection Output\n set Observables = lambda_3, charge, energy\nend\n");
-  Problem<3>(example, "").print_parameters(out);
-}
-
-ExitCode run_study(const CommandLine& line)
-{
-  std::vector<Case> cases;
-  ExitCode worst = ExitCode::success;
-  for (const auto& changes : combinations(line.sweeps)) {
-    const std::string folder = folder_of(changes);
-    cases.push_back({changes, folder, run_case(line, changes, line.output + "/" + folder)});
-    worst = std::max(worst, cases.back().outcome.code);
-    on_rank_0([&]() {
-      std::error_code ignored; // write_file says what is wrong
-      std::filesystem::create_directories(line.output, ignored);
-      write_file(line.output + "/study.csv", study_table(cases));
-      if (cases.back().outcome.code == ExitCode::bad_input)
-        std::cerr << "thelma: " << folder << ": " << cases.back().outcome.reason << std::endl;
-    });
+  const Stopwatch stopwatch;
+  find_unfinished();
+  if (this_mpi_process(world) == 0 && unfinished.size() < cases.size())
+    std::cout << folder << ": " << cases.size() - unfinished.size() << " of " << cases.size()
+              << " cases are finished already" << std::endl;
+  try {
+    for (const Case* one : unfinished)
+      if (claim(*one)) {
+        run_case(*one);
+        if (this_mpi_process(group) == 0)
+          publish(*one);
+      }
+  } catch (const InputError& error) {
+    std::cerr << "thelma: " << error.what() << std::endl;
+    MPI_Abort(world, static_cast<int>(ExitCode::bad_input));
   }
+  MPI_Barrier(world);
+  const ExitCode worst = conclude();
+  if (this_mpi_process(world) == 0)
+    std::cout << folder << "/study.csv: " << cases.size() << " cases, " << std::setprecision(3)
+              << stopwatch.seconds() << " s" << std::endl;
   return worst;
+}
+
+/// Also clears the way for those that are not: what a case left that was changed or killed.
+void Study::find_unfinished()
+{
+  std::vector<unsigned int> is_unfinished(cases.size(), 0);
+  for (std::size_t c = this_mpi_process(world); c < cases.size(); c += n_mpi_processes(world)) {
+    try {
+      is_unfinished[c] = !is_finished(cases[c].file, cases[c].folder);
+    } catch (const InputError&) {
+      is_unfinished[c] = 1; // its run will say why
+    }
+    if (is_unfinished[c])
+      for (const char* file : {"/run.json", "/log.txt"})
+        std::filesystem::remove(cases[c].folder + file);
+  }
+  dealii::Utilities::MPI::max(is_unfinished, world, is_unfinished);
+  for (std::size_t c = 0; c < cases.size(); ++c)
+    if (is_unfinished[c])
+      unfinished.push_back(&cases[c]);
+}
+
+bool Study::claim(const Case& one) const
+{
+  bool is_mine = false;
+  if (this_mpi_process(group) == 0) {
+    const std::string log = one.folder + "/log.txt";
+    std::FILE* const created = std::fopen(log.c_str(), "wx"); // fails if the file exists
+    if (created == nullptr && errno != EEXIST)
+      throw InputError("cannot write '" + log + "'; choose another --output folder or make room");
+    is_mine = created != nullptr;
+    if (is_mine)
+      std::fclose(created);
+  }
+  return dealii::Utilities::MPI::broadcast(group, is_mine);
+}
+
+void Study::run_case(const Case& one) const
+{
+  const bool is_leader = this_mpi_process(group) == 0;
+  std::ofstream log;
+  if (is_leader)
+    log.open(one.folder + "/log.txt");
+  Outcome failure;
+  try {
+    run_scene(group, one.file, one.folder, log);
+    return;
+  } catch (const InputError& error) {
+    failure = ended_by(error);
+  } catch (const std::exception& error) {
+    if (n_mpi_processes(group) > 1)
+      throw; // the other ranks of the group may be waiting for this one
+    failure = ended_by(error);
+  }
+  if (is_leader) {
+    log << "  " << failure.reason << "\n";
+    write_run_report(failure, one.file.name(), one.folder + "/run.json");
+  }
+}
+
+/// Called by one rank of a group. The study's log.txt has a line for each case that has ended since
+/// the start.
+void Study::publish(const Case& newest)
+{
+  const LockedFile log(folder + "/log.txt");
+  collect_outcomes();
+  if (log.is_held())
+    write_file(folder + "/study.csv", study_table(cases));
+  const std::size_t n_ended = cases.size() - unfinished.size() + log.n_lines() + 1;
+  const std::string line = "  " + std::to_string(n_ended) + " of " + std::to_string(cases.size()) +
+                           "  " + newest.name + "  " + newest.outcome->summary();
+  log.append(line);
+  std::cout << line + "\n" << std::flush;
+}
+
+void Study::collect_outcomes()
+{
+  for (Case& one : cases)
+    if (!one.outcome)
+      one.outcome = read_run_report(one.folder + "/run.json");
+}
+
+ExitCode Study::conclude()
+{
+  int worst = 0;
+  on_rank_0(world, [&]() {
+    collect_outcomes();
+    write_file(folder + "/study.csv", study_table(cases));
+    for (const Case& one : cases)
+      worst = std::max(
+          worst, static_cast<int>(one.outcome ? one.outcome->code : ExitCode::internal_error));
+  });
+  return static_cast<ExitCode>(dealii::Utilities::MPI::broadcast(world, worst));
 }
 
 } // namespace thelma

@@ -6,6 +6,7 @@
 #include <boost/property_tree/json_parser.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -166,6 +167,12 @@ void ParameterFile::read(dealii::ParameterHandler& prm) const
     throw InputError(place + ": " +
                      std::regex_replace(info, std::regex("^ | $|<input string>?"), ""));
   }
+}
+
+std::string located(const std::string& file, const std::string& folder)
+{
+  const std::filesystem::path there = std::filesystem::path(folder) / file;
+  return !std::filesystem::exists(file) && std::filesystem::exists(there) ? there.string() : file;
 }
 
 Section::Section(dealii::ParameterHandler& prm, std::vector<std::string> path)

@@ -8,7 +8,6 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
-#include <filesystem>
 
 namespace thelma
 {
@@ -84,12 +83,7 @@ template <int dim>
 void Mesh<dim>::read(const std::string& folder)
 {
   CoarseMesh coarse;
-  on_rank_0([&]() {
-    const bool here = std::filesystem::exists(file) || std::filesystem::path(file).is_absolute();
-    const std::filesystem::path there = std::filesystem::path(folder) / file;
-    coarse =
-        read_gmsh(here || !std::filesystem::exists(there) ? file : there.string(), parameters, dim);
-  });
+  on_rank_0(tria.get_communicator(), [&]() { coarse = read_gmsh(path(folder), parameters, dim); });
   coarse = dealii::Utilities::MPI::broadcast(tria.get_communicator(), coarse);
   create_triangulation(coarse);
   find_entities(coarse);

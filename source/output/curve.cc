@@ -9,16 +9,26 @@
 namespace thelma
 {
 
+void create_folder(const std::string& folder)
+{
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw InputError("command line, --output: cannot create the folder '" + folder + "' (" +
+                     error.message() + "); choose another one");
+}
+
 void write_file(const std::string& file, const std::string& content)
 {
   const std::string temporary = file + ".part";
-  {
-    std::ofstream stream(temporary);
-    stream << content << std::flush;
-    if (!stream)
-      throw InputError("cannot write '" + file + "'; choose another --output folder or make room");
-  }
-  std::filesystem::rename(temporary, file);
+  std::ofstream stream(temporary);
+  stream << content;
+  stream.close();
+  std::error_code error;
+  if (stream)
+    std::filesystem::rename(temporary, file, error);
+  if (!stream || error)
+    throw InputError("cannot write '" + file + "'; choose another --output folder or make room");
 }
 
 void Curve::add(const std::vector<double>& values)

@@ -142,11 +142,11 @@ void FieldWriter<dim>::write(const Scene<dim>& scene, const std::string& folder,
       out.write_vtu_with_pvtu_record(folder + "/", "fields", step, scene.layout.communicator(), 4);
 
   written.emplace_back(load, file);
-  if (dealii::Utilities::MPI::this_mpi_process(scene.layout.communicator()) == 0) {
+  on_rank_0(scene.layout.communicator(), [&]() {
     std::ostringstream pvd;
     dealii::DataOutBase::write_pvd_record(pvd, written);
     write_file(folder + "/fields.pvd", pvd.str());
-  }
+  });
 }
 
 template class FieldWriter<2>;

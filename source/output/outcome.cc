@@ -1,19 +1,24 @@
 #include <thelma/base/formula.h>
 #include <thelma/base/parameters.h>
-#include <thelma/base/version.h>
 #include <thelma/output/outcome.h>
-
-#include <deal.II/base/config.h>
-#include <deal.II/base/mpi.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace thelma
 {
+
+std::string Outcome::summary() const
+{
+  std::ostringstream text;
+  text << (reason.empty() ? name : reason);
+  if (is_lasting())
+    text << "; " << steps << " steps, " << newton_iterations << " Newton iterations, "
+         << std::setprecision(3) << seconds << " s";
+  return text.str();
+}
 
 void Expectations::declare(dealii::ParameterHandler& prm)
 {
@@ -51,40 +56,6 @@ std::string Expectations::check(const Curve& curve) const
     }
   }
   return "";
-}
-
-void write_run_report(const Outcome& outcome, const std::string& scene, const std::string& file)
-{
-  using nlohmann::ordered_json;
-  ordered_json report;
-  report["scene"] = scene;
-  report["outcome"] = outcome.name;
-  report["exit_code"] = static_cast<int>(outcome.code);
-  report["reason"] = outcome.reason;
-  report["pull_in"] = nullptr;
-  if (outcome.pull_in)
-    report["pull_in"] = {{"e_below", outcome.pull_in->e_below},
-                         {"e_above", outcome.pull_in->e_above},
-                         {"e_estimated", outcome.pull_in->e_estimated}};
-  report["steps"] = outcome.steps;
-  report["failed_steps"] = outcome.failed_steps;
-  report["newton_iterations"] = outcome.newton_iterations;
-  report["factorisations"] = outcome.factorisations;
-  report["seconds"] = outcome.seconds;
-  report["seconds_per_phase"] = outcome.seconds_per_phase;
-  report["cells"] = outcome.cells;
-  report["unknowns"] = outcome.unknowns;
-  report["modelled"] = outcome.modelled;
-  ordered_json values = ordered_json::object();
-  for (const auto& [name, value] : outcome.final_values)
-    values[name] = value;
-  report["final_values"] = values;
-  report["ranks"] = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
-  report["versions"] = {{"thelma", version},
-                        {"build", build_type},
-                        {"deal.II", DEAL_II_PACKAGE_VERSION},
-                        {"compiler", __VERSION__}};
-  write_file(file, report.dump(2) + "\n");
 }
 
 } // namespace thelma

@@ -45,6 +45,11 @@ CASES = [
      ["film", "hexahedra"]),
     ("unreadable geometry", ["--set", "Mesh/File={folder}/broken.geo"], ["broken.geo"]),
     ("unwritable output", ["--output", "/proc/thelma"], ["--output", "/proc/thelma"]),
+    ("repeated case", ["--sweep", "Temperature/Value=273, 273"], ["Temperature.Value=273", "once"]),
+    ("malformed ranks per case", ["--ranks-per-case", "two"], ["--ranks-per-case", "'two'"]),
+    ("too many ranks per case", ["--sweep", "Temperature/Value=273", "--ranks-per-case", "9"],
+     ["--ranks-per-case", "9", "mpirun"]),
+    ("missing study", ["@nothing.study"], ["nothing.study", "@"]),
     ("unknown option", ["--frobnicate"], ["--frobnicate", "--sweep"]),
     ("missing file", None, ["nothing.prm"]),
 ]

@@ -18,7 +18,8 @@ struct Sweep {
 struct CommandLine {
   enum class Action { run, check, list, defaults, version, help };
 
-  /// Throws InputError for what it does not understand.
+  /// `@FILE` stands for the arguments in that file. Throws InputError for what it does not
+  /// understand.
   static CommandLine parse(const std::vector<std::string>& arguments);
 
   static std::string help();
@@ -28,6 +29,7 @@ struct CommandLine {
   std::string output; ///< default: output/<name of the file>
   std::vector<Override> overrides;
   std::vector<Sweep> sweeps;
+  unsigned int ranks_per_case = 1;
 };
 
 } // namespace thelma

@@ -1,24 +1,40 @@
 #pragma once
 
-#include <thelma/application/command_line.h>
-#include <thelma/output/outcome.h>
-
-#include <iosfwd>
+#include <thelma/application/cases.h>
 
 namespace thelma
 {
 
-/// Run one scene into @p folder; the dimension is chosen by the file.
-Outcome run_scene(const ParameterFile& file, const std::string& folder);
+/// The runs of a sweep, side by side on groups of ranks.
+///
+/// The run.json in a case's folder says that the case has ended, and how; study.csv is made of
+/// these alone, so that a study that was interrupted can be continued. A case belongs to the group
+/// that creates its log.txt.
+class Study
+{
+public:
+  /// Throws InputError if the cases cannot be run at all.
+  Study(MPI_Comm world, const CommandLine& line);
+  ~Study();
+  Study(const Study&) = delete;
+  Study& operator=(const Study&) = delete;
 
-/// Read and set up the scene without running it.
-void check_scene(const ParameterFile& file);
+  /// Run what has not ended yet. A case that fails is a row that says why. Returns the worst exit
+  /// code; an InputError that only this group knows of, such as a full disk, ends the program.
+  ExitCode run();
 
-/// Every entry of a three-dimensional scene with one material, with default, unit and meaning.
-void print_defaults(std::ostream& out);
+private:
+  void find_unfinished();
+  bool claim(const Case& one) const;
+  void run_case(const Case& one) const;
+  void publish(const Case& newest);
+  void collect_outcomes();
+  ExitCode conclude();
 
-/// Run every combination of the sweeps and write study.csv into the output folder, a row per
-/// case. A case that fails is a row that says why. Returns the worst exit code.
-ExitCode run_study(const CommandLine& line);
+  MPI_Comm world, group;
+  std::string folder;
+  std::vector<Case> cases;
+  std::vector<const Case*> unfinished;
+};
 
 } // namespace thelma

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <deal.II/base/mpi.h>
+
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -8,11 +10,16 @@ namespace thelma
 {
 
 /// Exit codes of the program (README, "Exit codes").
-enum class ExitCode { success = 0, bad_input = 1, expectation_failed = 2, not_converged = 3 };
+enum class ExitCode {
+  success = 0,
+  bad_input = 1,
+  expectation_failed = 2,
+  not_converged = 3,
+  internal_error = 70
+};
 
 /// The user asked for something impossible; what() is one sentence that names the place, the value
-/// and the remedy. Thrown by every rank alike, so that the program ends everywhere with exit
-/// code 1.
+/// and the remedy. Thrown by every rank of a run alike, so that none waits for the others.
 class InputError : public std::runtime_error
 {
 public:
@@ -22,29 +29,20 @@ public:
 /// `a, b, c`, the tail of every "known ones are" sentence.
 std::string comma_separated(const std::vector<std::string>& words);
 
-/// Run @p action on rank 0 alone and let every rank throw the InputError it may have thrown.
+/// Run @p action on rank 0 of @p comm alone and let every rank throw the InputError it may have
+/// thrown.
 template <typename Action>
-void on_rank_0(Action action);
-
-} // namespace thelma
-
-#include <deal.II/base/mpi.h>
-
-namespace thelma
-{
-
-template <typename Action>
-void on_rank_0(Action action)
+void on_rank_0(const MPI_Comm comm, Action action)
 {
   std::string complaint;
-  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0) {
+  if (dealii::Utilities::MPI::this_mpi_process(comm) == 0) {
     try {
       action();
     } catch (const InputError& error) {
       complaint = error.what();
     }
   }
-  complaint = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, complaint);
+  complaint = dealii::Utilities::MPI::broadcast(comm, complaint);
   if (!complaint.empty())
     throw InputError(complaint);
 }

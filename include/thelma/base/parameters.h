@@ -51,6 +51,10 @@ private:
   unsigned int n_file_lines = 0;
 };
 
+/// Where the @p file named in another one is: seen from the working directory or, if there is none,
+/// from @p folder, that of the other one.
+std::string located(const std::string& file, const std::string& folder);
+
 /// Enters a (possibly nested) subsection for the lifetime of the object.
 class Section
 {

@@ -7,6 +7,17 @@
 namespace thelma
 {
 
+/// Wall time since its construction.
+class Stopwatch
+{
+public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start = Clock::now();
+};
+
 /// Seconds of wall time spent in each named phase on this rank.
 class Timings
 {
@@ -15,15 +26,14 @@ public:
   class Scope
   {
   public:
-    explicit Scope(double& seconds) : seconds(seconds), start(Clock::now()) {}
-    ~Scope() { seconds += std::chrono::duration<double>(Clock::now() - start).count(); }
+    explicit Scope(double& seconds) : seconds(seconds) {}
+    ~Scope() { seconds += watch.seconds(); }
     Scope(const Scope&) = delete;
     Scope& operator=(const Scope&) = delete;
 
   private:
-    using Clock = std::chrono::steady_clock;
     double& seconds;
-    Clock::time_point start;
+    Stopwatch watch;
   };
 
   Scope measure(const std::string& phase) { return Scope(phases[phase]); }

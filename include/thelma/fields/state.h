@@ -27,6 +27,12 @@ public:
   /// parabola load^2(arc length of displacements); infinity while the load does not slow down.
   double estimated_limit() const;
 
+  /// Load factor that those three states cover.
+  double recent_span() const
+  {
+    return past.back().load - past[past.size() < 3 ? 0 : past.size() - 3].load;
+  }
+
   /// An accepted state.
   struct Accepted {
     double load;

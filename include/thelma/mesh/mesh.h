@@ -1,5 +1,6 @@
 #pragma once
 
+#include <thelma/base/parameters.h>
 #include <thelma/mesh/gmsh_reader.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -34,7 +35,9 @@ public:
 
   void declare(dealii::ParameterHandler& prm);
 
-  /// Read the mesh; file names are looked up from the working directory, then from @p folder.
+  /// The mesh's file, looked up from the working directory, then from @p folder.
+  std::string path(const std::string& folder) const { return located(file, folder); }
+
   void read(const std::string& folder);
 
   const dealii::parallel::shared::Triangulation<dim>& triangulation() const { return tria; }

@@ -37,6 +37,9 @@ private:
   std::vector<Row> rows;
 };
 
+/// Throws InputError if the folder cannot be created.
+void create_folder(const std::string& folder);
+
 /// Write @p content to @p file through a temporary file, so that a reader never sees half of it.
 /// Throws InputError if the folder cannot be written.
 void write_file(const std::string& file, const std::string& content);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <thelma/base/error.h>
-#include <thelma/base/timings.h>
 #include <thelma/output/curve.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -27,13 +26,23 @@ struct Outcome {
   std::string reason;                  ///< a sentence
   std::optional<Bracket> pull_in;
 
-  unsigned int steps = 0, failed_steps = 0, newton_iterations = 0, factorisations = 0;
+  unsigned int steps = 0, failed_steps = 0, newton_iterations = 0, factorisations = 0, ranks = 1;
   double seconds = 0.;
   std::map<std::string, double> seconds_per_phase;
   std::map<std::string, unsigned long long> unknowns;
   unsigned long long cells = 0;
   std::vector<std::string> modelled;
   std::vector<std::pair<std::string, double>> final_values; ///< newest row of the curve
+
+  /// Whether the same run would end alike: not after an error that the input or the program can
+  /// lose while the parameters stay the same.
+  bool is_lasting() const
+  {
+    return code != ExitCode::bad_input && code != ExitCode::internal_error;
+  }
+
+  /// One line for the console.
+  std::string summary() const;
 };
 
 /// Values a .prm expects at the end, each a muParser expression of theta (K).
@@ -54,8 +63,5 @@ private:
   std::map<std::string, double> expected;
   double tolerance = 1e-3;
 };
-
-/// Write run.json, where programs look up what happened.
-void write_run_report(const Outcome& outcome, const std::string& scene, const std::string& file);
 
 } // namespace thelma

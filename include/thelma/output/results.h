@@ -1,0 +1,74 @@
+#pragma once
+
+#include <thelma/base/parameters.h>
+#include <thelma/base/timings.h>
+#include <thelma/output/fields.h>
+#include <thelma/output/outcome.h>
+#include <thelma/solvers/newton.h>
+
+#include <deal.II/base/conditional_ostream.h>
+
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace thelma
+{
+
+/// Where an accepted step stands on the path.
+struct PathPoint {
+  double load, e;
+  double step_size;              ///< of the next step
+  long long unstable_directions; ///< of a symmetric system
+  std::string event;
+};
+
+/// What a run leaves: lines on the console and, in its folder, the curve, the fields, used.prm and
+/// run.json.
+template <int dim>
+class Results
+{
+public:
+  /// Takes the names of the observables from @p file, so that they can declare their entries.
+  Results(MPI_Comm comm, const ParameterFile& file, std::string folder, std::ostream& console,
+          Timings& timings);
+
+  void declare(dealii::ParameterHandler& prm);
+
+  /// Expectations are those at @p theta in K.
+  void setup(const Scene<dim>& scene, double theta);
+
+  /// Whether a run with these @p parameters has already finished in the folder, and none of the
+  /// files @p inputs has changed since.
+  bool finished(const std::string& parameters, const std::vector<std::string>& inputs) const;
+
+  /// Create the folder with used.prm, a copy of @p parameters, and print what is @p outcome
+  /// .modelled.
+  void start(const std::string& parameters, const Outcome& outcome, double theta);
+
+  void add(const Scene<dim>& scene, const PathPoint& point, const NewtonReport& report);
+
+  /// Mark the newest step.
+  void set_event(const std::string& event) { curve->set_event(event); }
+
+  /// Check the expectations, complete @p outcome and write everything.
+  void finish(const Scene<dim>& scene, Outcome& outcome);
+
+private:
+  void print_step(const Scene<dim>& scene, const PathPoint& point, const NewtonReport& report);
+
+  MPI_Comm comm;
+  std::string file_name, folder;
+  dealii::ConditionalOStream console;
+  Timings& timings;
+  Stopwatch stopwatch;
+  std::vector<std::pair<std::string, std::unique_ptr<Observable<dim>>>> observed;
+  std::vector<std::string> observed_names;
+  FieldWriter<dim> fields;
+  Expectations expectations;
+  std::unique_ptr<Curve> curve;
+};
+
+} // namespace thelma

@@ -1,0 +1,72 @@
+#include <thelma/application/simulation.h>
+#include <thelma/problem.h>
+
+#include <memory>
+
+namespace thelma
+{
+namespace
+{
+
+unsigned int dimension_of(const ParameterFile& file)
+{
+  unsigned int dim = 3;
+  file.peek([&](dealii::ParameterHandler& prm) {
+    prm.add_parameter("Dimension", dim, "", dealii::Patterns::Integer(2, 3));
+  });
+  return dim;
+}
+
+/// Let @p action use the problem of the file; complaints about a section name the file.
+template <typename Action>
+auto with_problem(const MPI_Comm comm, const ParameterFile& file, const std::string& folder,
+                  std::ostream& console, const Action& action)
+{
+  try {
+    if (dimension_of(file) == 2)
+      return action(*std::make_unique<Problem<2>>(comm, file, folder, console));
+    return action(*std::make_unique<Problem<3>>(comm, file, folder, console));
+  } catch (const InputError& error) {
+    const std::string sentence = error.what();
+    throw InputError((sentence.rfind("section ", 0) == 0 ? file.name() + ", " : "") + sentence);
+  }
+}
+
+std::ostream& silence()
+{
+  static std::ostream nowhere(nullptr);
+  return nowhere;
+}
+
+} // namespace
+
+Outcome run_scene(const MPI_Comm comm, const ParameterFile& file, const std::string& folder,
+                  std::ostream& console)
+{
+  return with_problem(comm, file, folder, console, [](auto& problem) {
+    problem.setup();
+    return problem.run();
+  });
+}
+
+bool is_finished(const ParameterFile& file, const std::string& folder)
+{
+  return with_problem(MPI_COMM_SELF, file, folder, silence(),
+                      [](const auto& problem) { return problem.finished(); });
+}
+
+void check_scene(const MPI_Comm comm, const ParameterFile& file)
+{
+  with_problem(comm, file, "", silence(), [](auto& problem) { problem.setup(); });
+}
+
+std::string default_parameters()
+{
+  // Materials and observables have sections once they are named.
+  const ParameterFile example = ParameterFile::from_text(
+      "subsection Regions\n set Materials = film: elastomer\nend\n"
+      "subsection Output\n set Observables = lambda_3, charge, energy\nend\n");
+  return Problem<3>(MPI_COMM_SELF, example, "", silence()).parameters();
+}
+
+} // namespace thelma

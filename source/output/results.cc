@@ -1,0 +1,167 @@
+#include <thelma/base/version.h>
+#include <thelma/output/results.h>
+#include <thelma/output/run_report.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+namespace thelma
+{
+
+template <int dim>
+Results<dim>::Results(const MPI_Comm comm, const ParameterFile& file, std::string folder,
+                      std::ostream& console, Timings& timings)
+    : comm(comm), file_name(file.name()), folder(std::move(folder)),
+      console(console, dealii::Utilities::MPI::this_mpi_process(comm) == 0), timings(timings)
+{
+  file.peek([&](dealii::ParameterHandler& choices) {
+    const Section section(choices, {"Output"});
+    choices.add_parameter("Observables", observed_names);
+  });
+  for (const std::string& name : observed_names)
+    observed.emplace_back(name, observables<dim>().create(name));
+  observed_names.clear(); // the declared default
+}
+
+template <int dim>
+void Results<dim>::declare(dealii::ParameterHandler& prm)
+{
+  {
+    const Section section(prm, {"Output"});
+    prm.add_parameter("Observables", observed_names,
+                      "Columns of curve.csv beside the load; known: " +
+                          comma_separated(observables<dim>().names()) + ".");
+  }
+  fields.declare(prm);
+  expectations.declare(prm);
+  for (const auto& [name, observable] : observed) {
+    const Section section(prm, {"Observables", name});
+    observable->declare(prm);
+  }
+}
+
+template <int dim>
+void Results<dim>::setup(const Scene<dim>& scene, const double theta)
+{
+  std::vector<std::string> columns{"step", "load", "voltage_kV", "e", "theta_K"};
+  for (const auto& entry : observed) {
+    entry.second->setup(scene);
+    for (const std::string& column : entry.second->columns())
+      columns.push_back(column);
+  }
+  columns.emplace_back("min_det_F");
+  if (scene.system.is_symmetric())
+    columns.emplace_back("unstable_directions");
+  columns.emplace_back("newton_iterations");
+  columns.emplace_back("seconds");
+  curve = std::make_unique<Curve>(columns);
+  expectations.setup(columns, theta);
+}
+
+template <int dim>
+bool Results<dim>::finished(const std::string& parameters,
+                            const std::vector<std::string>& inputs) const
+{
+  const std::string report = folder + "/run.json";
+  const std::optional<Outcome> outcome = read_run_report(report);
+  std::stringstream used;
+  used << std::ifstream(folder + "/used.prm").rdbuf();
+  if (!outcome || !outcome->is_lasting() || used.str() != parameters)
+    return false;
+  const auto end = std::filesystem::last_write_time(report);
+  for (const std::string& input : inputs) {
+    std::error_code unknown;
+    const auto change = std::filesystem::last_write_time(input, unknown);
+    if (!unknown && change > end)
+      return false;
+  }
+  return true;
+}
+
+template <int dim>
+void Results<dim>::start(const std::string& parameters, const Outcome& outcome, const double theta)
+{
+  on_rank_0(comm, [&]() {
+    create_folder(folder);
+    std::filesystem::remove(folder + "/run.json"); // the report of an earlier run
+    write_file(folder + "/used.prm", parameters);
+  });
+  console << "Thelma " << version << ", " << file_name << " on " << outcome.ranks << " rank(s), "
+          << outcome.cells << " cells\n";
+  for (const std::string& line : outcome.modelled)
+    console << "  " << line << "\n";
+  console << "  temperature: " << theta << " K\n" << std::flush;
+}
+
+template <int dim>
+void Results<dim>::add(const Scene<dim>& scene, const PathPoint& point, const NewtonReport& report)
+{
+  const auto timer = timings.measure("output");
+  std::vector<double> row{double(curve->n_rows()), point.load, scene.state.voltage, point.e,
+                          mean_temperature(scene)};
+  for (const auto& entry : observed)
+    for (const double value : entry.second->evaluate(scene))
+      row.push_back(value);
+  row.push_back(report.min_det_F);
+  if (scene.system.is_symmetric())
+    row.push_back(static_cast<double>(point.unstable_directions));
+  row.push_back(report.iterations);
+  row.push_back(stopwatch.seconds());
+  curve->add(row);
+  curve->set_event(point.event);
+  on_rank_0(comm, [&]() { curve->write(folder + "/curve.csv"); });
+  fields.write(scene, folder, curve->n_rows() - 1, point.load, false);
+  print_step(scene, point, report);
+}
+
+template <int dim>
+void Results<dim>::print_step(const Scene<dim>& scene, const PathPoint& point,
+                              const NewtonReport& report)
+{
+  std::ostringstream line;
+  line << "  step " << std::setw(3) << curve->n_rows() - 1 << "  load " << std::fixed
+       << std::setprecision(6) << point.load << "  e " << point.e << "  V " << std::setprecision(4)
+       << scene.state.voltage << " kV  Newton " << report.iterations << std::scientific
+       << std::setprecision(1) << "  residual " << report.residuals.back() << std::fixed
+       << std::setprecision(4) << "  min det F " << report.min_det_F << std::defaultfloat
+       << std::setprecision(3) << "  step size " << point.step_size;
+  if (point.load > 0.)
+    line << "  left at most " << std::fixed << std::setprecision(1)
+         << stopwatch.seconds() * (1. - point.load) / point.load << " s";
+  console << line.str() << "\n" << std::flush;
+}
+
+template <int dim>
+void Results<dim>::finish(const Scene<dim>& scene, Outcome& outcome)
+{
+  outcome.steps = curve->n_rows();
+  if (outcome.code == ExitCode::success) {
+    const std::string complaint = expectations.check(*curve);
+    if (!complaint.empty()) {
+      outcome.code = ExitCode::expectation_failed;
+      outcome.reason = complaint;
+    }
+  }
+  if (!curve->empty()) {
+    fields.write(scene, folder, curve->n_rows() - 1, scene.state.accepted_load(), true);
+    for (const std::string& column : curve->names())
+      outcome.final_values.emplace_back(column, *curve->newest(column));
+  }
+  outcome.seconds = stopwatch.seconds();
+  outcome.seconds_per_phase = timings.seconds();
+  on_rank_0(comm, [&]() {
+    if (!curve->empty())
+      curve->write(folder + "/curve.csv");
+    write_run_report(outcome, file_name, folder + "/run.json");
+  });
+  console << "  " << outcome.summary() << "\n" << std::flush;
+}
+
+template class Results<2>;
+template class Results<3>;
+
+} // namespace thelma

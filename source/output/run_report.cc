@@ -1,0 +1,74 @@
+#include <thelma/base/version.h>
+#include <thelma/output/run_report.h>
+
+#include <deal.II/base/config.h>
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <limits>
+
+namespace thelma
+{
+
+using nlohmann::ordered_json;
+
+void write_run_report(const Outcome& outcome, const std::string& scene, const std::string& file)
+{
+  ordered_json report;
+  report["scene"] = scene;
+  report["outcome"] = outcome.name;
+  report["exit_code"] = static_cast<int>(outcome.code);
+  report["reason"] = outcome.reason;
+  report["pull_in"] = nullptr;
+  if (outcome.pull_in)
+    report["pull_in"] = {{"e_below", outcome.pull_in->e_below},
+                         {"e_above", outcome.pull_in->e_above},
+                         {"e_estimated", outcome.pull_in->e_estimated}};
+  report["steps"] = outcome.steps;
+  report["failed_steps"] = outcome.failed_steps;
+  report["newton_iterations"] = outcome.newton_iterations;
+  report["factorisations"] = outcome.factorisations;
+  report["seconds"] = outcome.seconds;
+  report["seconds_per_phase"] = outcome.seconds_per_phase;
+  report["cells"] = outcome.cells;
+  report["unknowns"] = outcome.unknowns;
+  report["modelled"] = outcome.modelled;
+  ordered_json values = ordered_json::object();
+  for (const auto& [name, value] : outcome.final_values)
+    values[name] = value;
+  report["final_values"] = values;
+  report["ranks"] = outcome.ranks;
+  report["versions"] = {{"thelma", version},
+                        {"build", build_type},
+                        {"deal.II", DEAL_II_PACKAGE_VERSION},
+                        {"compiler", __VERSION__}};
+  write_file(file, report.dump(2) + "\n");
+}
+
+std::optional<Outcome> read_run_report(const std::string& file)
+{
+  std::ifstream stream(file);
+  if (!stream)
+    return std::nullopt;
+  const ordered_json report = ordered_json::parse(stream);
+  // JSON has no number for what is not finite; it is written as null.
+  const auto number = [](const ordered_json& value) {
+    return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+  };
+  Outcome outcome;
+  outcome.code = static_cast<ExitCode>(report.at("exit_code").get<int>());
+  outcome.name = report.at("outcome");
+  outcome.reason = report.at("reason");
+  if (const ordered_json& pull_in = report.at("pull_in"); !pull_in.is_null())
+    outcome.pull_in = {number(pull_in.at("e_below")), number(pull_in.at("e_above")),
+                       number(pull_in.at("e_estimated"))};
+  outcome.steps = report.at("steps");
+  outcome.newton_iterations = report.at("newton_iterations");
+  outcome.seconds = report.at("seconds");
+  for (const auto& [name, value] : report.at("final_values").items())
+    outcome.final_values.emplace_back(name, number(value));
+  return outcome;
+}
+
+} // namespace thelma
