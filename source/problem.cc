@@ -196,10 +196,10 @@ void Problem<dim>::explain_end(const Stepper& steps)
   between << std::setprecision(7) << " between e = " << bracket.e_below << " and "
           << bracket.e_above;
 
-  // At a limit point the last states themselves announce its end, not farther away than they reach
-  // back; anything else is not a pull-in.
+  // At a limit point the last states themselves announce its end, not much farther away than they
+  // reach back; anything else is not a pull-in.
   const bool turns_back =
-      limit < steps.failed() + std::max(10. * loading.resolution(), state.recent_span() / 2.);
+      limit < steps.failed() + std::max(10. * loading.resolution(), 2. * state.recent_span());
   if (!turns_back) {
     const bool unstable = last_failure.find("unstable") != std::string::npos;
     outcome = failure(unstable ? "instability" : "no convergence",
