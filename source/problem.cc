@@ -2,8 +2,10 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace thelma
@@ -14,7 +16,7 @@ Problem<dim>::Problem(const MPI_Comm comm, const ParameterFile& file, std::strin
                       std::ostream& console)
     : scene_folder(std::filesystem::path(file.name()).parent_path().string()),
       results(comm, file, std::move(folder), console, timings), materials(file), mesh(comm),
-      system(layout, conditions, state, timings)
+      system(layout, conditions, state, timings), predictor(layout, conditions, state)
 {
   outcome.ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
   declare();
@@ -69,6 +71,7 @@ void Problem<dim>::setup()
   if (layout.has(Field::temperature))
     state.x.block(layout.block(Field::temperature)) = theta_start;
   system.setup();
+  predictor.setup();
   state.start();
 
   results.setup(scene(), theta);
@@ -103,7 +106,7 @@ void Problem<dim>::heat()
   };
   NewtonReport last;
   const auto remember = [&](double, const NewtonReport& report) { last = report; };
-  if (follow(steps, prescribe, remember)) {
+  if (follow(steps, LoadSymmetry::none, prescribe, remember)) {
     state.start();
     record(0., last);
   } else
@@ -119,7 +122,7 @@ void Problem<dim>::apply_voltage()
     state.voltage = loading.voltage(load);
     conditions.apply(state.voltage, theta_start, 1., state.x);
   };
-  if (!follow(stepper, prescribe,
+  if (!follow(stepper, LoadSymmetry::voltage, prescribe,
               [&](const double load, const NewtonReport& report) { record(load, report); })) {
     prescribe(state.accepted_load());
     explain_end(stepper);
@@ -130,22 +133,33 @@ void Problem<dim>::apply_voltage()
 }
 
 template <int dim>
-bool Problem<dim>::follow(Stepper& steps, const std::function<void(double)>& prescribe,
-                          const Record& on_accept)
+bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
+                          const std::function<void(double)>& prescribe, const Record& on_accept)
 {
   while (!steps.finished() && !steps.exhausted()) {
     const double load = steps.next();
-    state.predict(load);
+    {
+      const auto timer = timings.measure("prediction");
+      predictor.predict(load, symmetry);
+    }
     prescribe(load);
-    const NewtonReport report = solve();
+    NewtonReport report = solve();
+    const double surprise = predictor.surprise();
+    if (report.converged && surprise > 1. && !steps.finest()) {
+      report.converged = false;
+      report.reason = "the state found is not the continuation of the path";
+    }
     outcome.newton_iterations += report.iterations;
+    outcome.factorisations += report.factorisations;
     if (!report.converged) {
       ++outcome.failed_steps;
       last_failure = report.reason;
       state.restore();
+      predictor.adapt(std::numeric_limits<double>::infinity());
       steps.cut_back();
       continue;
     }
+    predictor.adapt(surprise);
     state.accept(load);
     steps.accept(report.iterations, state.estimated_limit());
     on_accept(load, report);
@@ -182,8 +196,10 @@ void Problem<dim>::explain_end(const Stepper& steps)
   between << std::setprecision(7) << " between e = " << bracket.e_below << " and "
           << bracket.e_above;
 
-  // At a limit point the path itself announces its end; anything else is not a pull-in.
-  const bool turns_back = limit < steps.failed() + 10. * loading.resolution();
+  // At a limit point the last states themselves announce its end, not farther away than they reach
+  // back; anything else is not a pull-in.
+  const bool turns_back =
+      limit < steps.failed() + std::max(10. * loading.resolution(), state.recent_span() / 2.);
   if (!turns_back) {
     const bool unstable = last_failure.find("unstable") != std::string::npos;
     outcome = failure(unstable ? "instability" : "no convergence",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <thelma/assembly/predictor.h>
 #include <thelma/base/parameters.h>
 #include <thelma/output/results.h>
 #include <thelma/solvers/stepper.h>
@@ -37,7 +38,8 @@ private:
   void declare();
   void heat();
   void apply_voltage();
-  bool follow(Stepper& steps, const std::function<void(double)>& prescribe, const Record& record);
+  bool follow(Stepper& steps, LoadSymmetry symmetry, const std::function<void(double)>& prescribe,
+              const Record& record);
   NewtonReport solve() const;
   long long unstable_directions(const NewtonReport& report) const;
   void explain_end(const Stepper& steps);
@@ -56,6 +58,7 @@ private:
   BoundaryConditions<dim> conditions;
   State state;
   mutable System<dim> system;
+  Predictor<dim> predictor;
   Loading loading;
   Newton newton;
   Stepper stepper;

@@ -42,7 +42,6 @@ void System<dim>::setup()
   for (std::size_t cell = 0; cell < layout.cells().size(); ++cell)
     formulation->start_internal(state.internal.data() + cell * n_internal);
   raw_residual = layout.new_vector();
-  condensation = layout.new_vector();
   correction = layout.new_vector();
   base = layout.new_vector();
   state.x.update_ghost_values();
@@ -66,7 +65,7 @@ void System<dim>::compute_scales()
       for (unsigned int a = 0; a < rule.basis().n_nodes; ++a) {
         dealii::Tensor<1, dim> reference;
         for (int K = 0; K < dim; ++K)
-          reference[K] = rule.basis().dN[(q * dim + K) * rule.basis().n_nodes + a];
+          reference[K] = rule.basis().dN[(q * dim + K) * rule.basis().stride + a];
         const double size =
             point.JxW * (dealii::transpose(point.inverse_jacobian) * reference).norm();
         for (int c = 0; c < n_c; ++c)
@@ -126,33 +125,31 @@ template <int dim>
 void System<dim>::assemble_tangent()
 {
   const auto timer = timings.measure("tangent");
-  const bool condenses = formulation->n_internal() > 0;
   CellResult result;
   matrix.clear();
-  condensation = 0.;
   for_each_cell([&](const CellView<dim>& view) {
     formulation->tangent(view, result);
     matrix.add(view.index, view.cell, result.tangent);
-    if (condenses)
-      layout.scatter(view.cell, result.residual, condensation);
   });
   matrix.finish();
-  condensation.compress(dealii::VectorOperation::add);
 }
 
 template <int dim>
-LinearReport System<dim>::linear_solve()
+LinearReport System<dim>::linear_solve(const bool reuse)
 {
-  assemble_tangent();
-  const auto timer = timings.measure("linear solve");
   base = state.x;
   internal_base = state.internal;
-  LinearReport report = solver->factorise(matrix.matrix());
-  if (!report.solved)
-    return report;
+  LinearReport report{true, "", 0};
+  if (!reuse) {
+    assemble_tangent();
+    const auto timer = timings.measure("factorisation");
+    report = solver->factorise(matrix.matrix());
+    if (!report.solved)
+      return report;
+  }
+  const auto timer = timings.measure("linear solve");
   correction.zero_out_ghost_values();
   correction = raw_residual;
-  correction += condensation;
   correction *= -1.;
   conditions.constraints().set_zero(correction);
   solver->solve(correction);

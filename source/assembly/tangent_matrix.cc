@@ -7,17 +7,29 @@
 #include <Epetra_CrsMatrix.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace thelma
 {
 
 template <int dim>
 void TangentMatrix<dim>::setup(const FieldLayout<dim>& layout,
-                               const BoundaryConditions<dim>& conditions)
+                               const BoundaryConditions<dim>& conditions, Coupling pairs)
 {
   constraints = &conditions.constraints();
+  coupling = std::move(pairs);
   make_pattern(layout);
   find_positions(layout);
+}
+
+/// Whether the unknowns @p i and @p j of @p cell are free and have an entry.
+template <int dim>
+bool TangentMatrix<dim>::couples(const Cell<dim>& cell, const std::size_t i,
+                                 const std::size_t j) const
+{
+  return coupling(i % cell.n_components, j % cell.n_components) &&
+         !constraints->is_constrained(cell.dofs[i]) && !constraints->is_constrained(cell.dofs[j]);
 }
 
 template <int dim>
@@ -25,7 +37,12 @@ void TangentMatrix<dim>::make_pattern(const FieldLayout<dim>& layout)
 {
   dealii::BlockDynamicSparsityPattern pattern(layout.relevant());
   for (const Cell<dim>& cell : layout.cells())
-    constraints->add_entries_local_to_global(cell.dofs, pattern, false);
+    for (std::size_t i = 0; i < cell.dofs.size(); ++i) {
+      pattern.add(cell.dofs[i], cell.dofs[i]);
+      for (std::size_t j = 0; j < cell.dofs.size(); ++j)
+        if (couples(cell, i, j))
+          pattern.add(cell.dofs[i], cell.dofs[j]);
+    }
   dealii::IndexSet relevant(layout.dof_handler().n_dofs());
   dealii::types::global_dof_index begin = 0;
   for (const dealii::IndexSet& block : layout.relevant()) {
@@ -68,11 +85,7 @@ void TangentMatrix<dim>::find_positions(const FieldLayout<dim>& layout)
       AssertThrow(error == 0, dealii::ExcMessage("the matrix is not stored contiguously"));
     }
 
-  fixed_diagonals.clear();
-  for (const auto& line : constraints->get_lines())
-    if (owned.is_element(line.index))
-      fixed_diagonals.push_back(entry(line.index, line.index));
-
+  std::set<double*> diagonals;
   positions.clear();
   blocks.clear();
   for (const Cell<dim>& cell : layout.cells()) {
@@ -81,17 +94,20 @@ void TangentMatrix<dim>::find_positions(const FieldLayout<dim>& layout)
     for (std::size_t i = 0; i < n; ++i)
       block[i] = layout.block_of_dof(cell.dofs[i]);
     std::vector<int> place(n * n, skipped);
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t i = 0; i < n; ++i) {
+      const bool own = owned.is_element(cell.dofs[i]);
+      if (own && !couples(cell, i, i))
+        diagonals.insert(entry(cell.dofs[i], cell.dofs[i]));
       for (std::size_t j = 0; j < n; ++j)
-        if (!constraints->is_constrained(cell.dofs[i]) &&
-            !constraints->is_constrained(cell.dofs[j]))
-          place[i * n + j] = owned.is_element(cell.dofs[i])
-                                 ? static_cast<int>(entry(cell.dofs[i], cell.dofs[j]) -
+        if (couples(cell, i, j))
+          place[i * n + j] = own ? static_cast<int>(entry(cell.dofs[i], cell.dofs[j]) -
                                                     block_values[block[i] * n_blocks + block[j]])
                                  : elsewhere;
+    }
     positions.push_back(std::move(place));
     blocks.push_back(std::move(block));
   }
+  fixed_diagonals.assign(diagonals.begin(), diagonals.end());
 }
 
 template <int dim>
@@ -120,22 +136,21 @@ void TangentMatrix<dim>::add(const std::size_t index, const Cell<dim>& cell,
       else
         away = away || place[j] == elsewhere;
     if (away)
-      add_row(cell.dofs[i], cell, row);
+      add_row(cell, i, row);
   }
 }
 
 template <int dim>
-void TangentMatrix<dim>::add_row(const dealii::types::global_dof_index row, const Cell<dim>& cell,
-                                 const double* entries)
+void TangentMatrix<dim>::add_row(const Cell<dim>& cell, const std::size_t i, const double* entries)
 {
   std::vector<dealii::types::global_dof_index> columns;
   std::vector<double> values;
   for (std::size_t j = 0; j < cell.dofs.size(); ++j)
-    if (!constraints->is_constrained(cell.dofs[j])) {
+    if (couples(cell, i, j)) {
       columns.push_back(cell.dofs[j]);
       values.push_back(entries[j]);
     }
-  tangent.add(row, columns.size(), columns.data(), values.data(), false);
+  tangent.add(cell.dofs[i], columns.size(), columns.data(), values.data(), false);
 }
 
 template <int dim>

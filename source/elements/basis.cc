@@ -8,15 +8,16 @@ namespace thelma
 
 template <int dim>
 Basis<dim>::Basis(const dealii::FiniteElement<dim>& scalar, const dealii::Quadrature<dim>& rule)
-    : n_points(rule.size()), n_nodes(scalar.dofs_per_cell)
+    : n_points(rule.size()), n_nodes(scalar.dofs_per_cell), stride(padded(n_nodes)),
+      N(n_points * stride, 0.), dN(n_points * dim * stride, 0.)
 {
-  for (unsigned int q = 0; q < n_points; ++q) {
-    for (unsigned int a = 0; a < n_nodes; ++a)
-      N.push_back(scalar.shape_value(a, rule.point(q)));
-    for (unsigned int d = 0; d < dim; ++d)
-      for (unsigned int a = 0; a < n_nodes; ++a)
-        dN.push_back(scalar.shape_grad(a, rule.point(q))[d]);
-  }
+  AssertThrow(n_nodes <= max_nodes && n_points <= max_points, dealii::ExcInternalError());
+  for (unsigned int q = 0; q < n_points; ++q)
+    for (unsigned int a = 0; a < n_nodes; ++a) {
+      N[q * stride + a] = scalar.shape_value(a, rule.point(q));
+      for (unsigned int d = 0; d < dim; ++d)
+        dN[(q * dim + d) * stride + a] = scalar.shape_grad(a, rule.point(q))[d];
+    }
 }
 
 template <int dim>

@@ -2,6 +2,8 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <array>
+#include <numeric>
 #include <optional>
 
 namespace thelma
@@ -9,10 +11,13 @@ namespace thelma
 namespace
 {
 
+/// Values at the points of a rule.
+using PointValues = std::array<double, 27>;
+
 /// The stress and stiffness of a given pressure field; the dilatation has its own energy.
 struct GivenPressure {
   static constexpr bool conducts = true;
-  const std::vector<double>& pressure; ///< at the points of the rule, MPa
+  PointValues pressure; ///< at the points of the rule, MPa
 
   template <typename Derivatives>
   void add(const Material& material, const PointState<>& state, const Kinematics<>& kin,
@@ -24,6 +29,44 @@ struct GivenPressure {
     add_volumetric(kin, constant, d);
   }
 };
+
+/// Coefficients of a pressure or dilatation, and matrices over them; unused ones stay zero.
+using Modes = std::array<double, 4>;
+using ModeMatrix = std::array<Modes, 4>;
+
+Modes operator+(Modes x, const Modes& y)
+{
+  for (std::size_t i = 0; i < x.size(); ++i)
+    x[i] += y[i];
+  return x;
+}
+
+double operator*(const Modes& x, const Modes& y)
+{
+  return std::inner_product(x.begin(), x.end(), y.begin(), 0.);
+}
+
+Modes operator*(const ModeMatrix& A, const Modes& x)
+{
+  return {{A[0] * x, A[1] * x, A[2] * x, A[3] * x}};
+}
+
+/// A B of symmetric matrices.
+ModeMatrix operator*(const ModeMatrix& A, const ModeMatrix& B)
+{
+  ModeMatrix C;
+  for (std::size_t i = 0; i < C.size(); ++i)
+    C[i] = B * A[i];
+  return C;
+}
+
+/// A += w m x m.
+void add_square(const Modes& m, const double w, ModeMatrix& A)
+{
+  for (std::size_t i = 0; i < m.size(); ++i)
+    for (std::size_t j = 0; j < m.size(); ++j)
+      A[i][j] += w * m[i] * m[j];
+}
 
 /// Mean dilatation (theory.md, eq. 21): inside each cell a pressure p and a dilatation t, both
 /// discontinuous polynomials of degree p - 1 (Q1/P0, Q2/P1), in
@@ -39,9 +82,14 @@ public:
     rule.emplace(layout, layout.degree() + 1);
     n_modes = layout.degree() == 1 ? 1 : dim + 1;
     modes.clear();
-    for (const auto& point : rule->quadrature().get_points())
-      for (unsigned int i = 0; i < n_modes; ++i)
-        modes.push_back(i == 0 ? 1. : 2. * point[i - 1] - 1.);
+    for (const auto& point : rule->quadrature().get_points()) {
+      modes.push_back({{1.}});
+      for (unsigned int i = 1; i < n_modes; ++i)
+        modes.back()[i] = 2. * point[i - 1] - 1.;
+    }
+    mass_inverse.clear();
+    for (std::size_t cell = 0; cell < layout.cells().size(); ++cell)
+      mass_inverse.push_back(invert_mass(rule->of_cell(cell)));
   }
 
   unsigned int n_internal() const override { return 2 * n_modes; }
@@ -56,149 +104,172 @@ public:
   void residual(const CellView<dim>& view, CellResult& result) const override
   {
     result.reset(view.cell.dofs.size(), false);
-    const std::vector<double> pressure = interpolate(view.internal);
-    integrate(*rule, view, GivenPressure{pressure}, false, result);
-    const Local local(*this, view);
-    result.min_det_F = std::min(result.min_det_F, local.min_dilatation);
+    const CellPoints<dim> points(*rule, view);
+    const Local local(*this, view, points);
+    result.min_det_F = local.min_det;
+    if (!(local.min_det > 0.))
+      return;
+    integrate(points, view, GivenPressure{at_points(local.p + local.pressure_correction())}, false,
+              result);
     const double mu = view.cell.material->shear_modulus(view.theta);
-    result.internal_error = local.mass_inverse.matrix_norm_square(local.R_p) +
-                            local.mass_inverse.matrix_norm_square(local.R_t) / (mu * mu);
+    result.internal_error =
+        local.R_p * (local.M * local.R_p) + local.R_t * (local.M * local.R_t) / (mu * mu);
   }
 
   void tangent(const CellView<dim>& view, CellResult& result) const override
   {
-    const std::size_t n = view.cell.dofs.size();
-    result.reset(n, true);
-    const std::vector<double> pressure = interpolate(view.internal);
-    integrate(*rule, view, GivenPressure{pressure}, true, result);
-    if (!view.has_temperature)
-      mirror(n, result.tangent.data());
-
-    const Local local(*this, view);
-    const dealii::FullMatrix<double> stiffness = local.stiffness();
-    const dealii::Vector<double> correction = local.pressure_correction();
-    for (unsigned int i = 0; i < n_modes; ++i) {
-      std::vector<double> row(n, 0.); // of d(pressure mode i)/dx
-      for (unsigned int j = 0; j < n_modes; ++j)
-        for (std::size_t b = 0; b < n; ++b)
-          row[b] += stiffness(i, j) * local.B[j * n + b] +
-                    local.mass_inverse(i, j) * local.dR_t_dx[j * n + b];
-      for (std::size_t a = 0; a < n; ++a) {
-        const double B = local.B[i * n + a];
-        result.residual[a] += B * correction(i);
-        if (B != 0.)
-          for (std::size_t b = 0; b < n; ++b)
-            result.tangent[a * n + b] += B * row[b];
-      }
-    }
+    result.reset(view.cell.dofs.size(), true);
+    const CellPoints<dim> points(*rule, view);
+    const Local local(*this, view, points);
+    integrate(points, view, GivenPressure{at_points(local.p)}, true, result);
+    add_condensed(view, points, local, result.tangent.data());
   }
 
   void recover(const CellView<dim>& view, const double* dx, double* correction) const override
   {
-    const std::size_t n = view.cell.dofs.size();
-    const Local local(*this, view);
-    dealii::Vector<double> R_p = local.R_p, R_t = local.R_t, dp(n_modes), dt(n_modes);
-    for (unsigned int i = 0; i < n_modes; ++i)
-      for (std::size_t b = 0; b < n; ++b) {
-        R_p(i) += local.B[i * n + b] * dx[b];
-        R_t(i) += local.dR_t_dx[i * n + b] * dx[b];
+    const CellPoints<dim> points(*rule, view);
+    Local local(*this, view, points);
+    const NodalValues<dim> change(dx, rule->basis().n_nodes, view.cell.n_components);
+    for (unsigned int q = 0; q < points.n_points; ++q) {
+      const Kinematics<>& kin = points.kinematics[q];
+      const double w = points.geometry[q].JxW;
+      double dJ = 0., dp = 0.;
+      for (int i = 0; i < dim; ++i)
+        for (int J = 0; J < dim; ++J)
+          dJ += kin.J * kin.G[axis<dim>(i)][axis<dim>(J)] *
+                change.gradient(i, J, points.gradients[q]);
+      if (view.has_temperature)
+        dp = local.dp_dtheta[q] * change.value(change.n_components - 1, points.gradients[q]);
+      for (unsigned int i = 0; i < n_modes; ++i) {
+        local.R_p[i] += w * modes[q][i] * dJ;
+        local.R_t[i] += w * modes[q][i] * dp;
       }
-    local.mass_inverse.vmult(dt, R_p);
-    local.H.vmult_add(R_t, dt);
-    local.mass_inverse.vmult(dp, R_t);
-    for (unsigned int i = 0; i < n_modes; ++i) {
-      correction[i] = dp(i);
-      correction[n_modes + i] = dt(i);
     }
+    const Modes dt = local.M * local.R_p, dp = local.pressure_correction();
+    std::copy_n(dp.begin(), n_modes, correction);
+    std::copy_n(dt.begin(), n_modes, correction + n_modes);
   }
 
 private:
   /// The cell's own two equations, tested with the modes m_i:
   ///   R_p = int m (J - t) = 0,   R_t = int m (psi_v'(t) - p) = 0,
-  /// and their derivatives: M = int m m, H = int psi_v'' m m, B = dR_p/dx, dR_t/dx (heat).
+  /// with M the inverse of int m m and H = int psi_v'' m m.
   struct Local {
-    Local(const MeanDilatation& f, const CellView<dim>& view)
-        : mass_inverse(f.n_modes, f.n_modes), H(f.n_modes, f.n_modes), R_p(f.n_modes),
-          R_t(f.n_modes), B(f.n_modes * view.cell.dofs.size(), 0.), dR_t_dx(B)
+    Local(const MeanDilatation& f, const CellView<dim>& view, const CellPoints<dim>& points)
+        : M(f.mass_inverse[view.index]), min_det(points.min_det_F)
     {
-      const auto* geometry = f.rule->of_cell(view.index);
-      for (unsigned int q = 0; q < f.rule->basis().n_points; ++q)
-        add_point(f, view, q, Gradients<dim>(f.rule->basis(), q, geometry[q]), geometry[q].JxW);
-      if (min_dilatation > 0.)
-        mass_inverse.gauss_jordan();
-    }
-
-    void add_point(const MeanDilatation& f, const CellView<dim>& view, const unsigned int q,
-                   const Gradients<dim>& gradients, const double w)
-    {
-      const std::size_t n = view.cell.dofs.size(), n_c = view.cell.n_components;
-      const double* m = f.modes.data() + q * f.n_modes;
-      const PointState<> state = point_state(view, gradients);
-      const Kinematics<> kin(state.F);
-      double p = 0., t = 0.;
-      for (unsigned int i = 0; i < f.n_modes; ++i) {
-        p += m[i] * view.internal[i];
-        t += m[i] * view.internal[f.n_modes + i];
-      }
-      min_dilatation = std::min(min_dilatation, std::min(t, kin.J));
-      if (!(min_dilatation > 0.))
-        return;
-      const Volumetric<> v = view.cell.material->thermal.volumetric(t, state.theta);
-      for (unsigned int i = 0; i < f.n_modes; ++i) {
-        R_p(i) += w * m[i] * (kin.J - t);
-        R_t(i) += w * m[i] * (v.p - p);
-        for (unsigned int j = 0; j < f.n_modes; ++j) {
-          mass_inverse(i, j) += w * m[i] * m[j];
-          H(i, j) += w * v.dp_dJ * m[i] * m[j];
+      Modes t{};
+      std::copy_n(view.internal, f.n_modes, p.begin());
+      std::copy_n(view.internal + f.n_modes, f.n_modes, t.begin());
+      for (unsigned int q = 0; q < points.n_points; ++q) {
+        const Modes& m = f.modes[q];
+        const double w = points.geometry[q].JxW, dilatation = m * t;
+        min_det = std::min(min_det, dilatation);
+        if (!(min_det > 0.))
+          return;
+        const Volumetric<> v =
+            view.cell.material->thermal.volumetric(dilatation, points.input[q].state.theta);
+        for (unsigned int i = 0; i < f.n_modes; ++i) {
+          R_p[i] += w * m[i] * (points.kinematics[q].J - dilatation);
+          R_t[i] += w * m[i] * (v.p - m * p);
         }
-        for (unsigned int a = 0; a < gradients.n_nodes; ++a) {
-          for (int c = 0; c < dim; ++c)
-            for (int J = 0; J < dim; ++J)
-              B[i * n + a * n_c + c] +=
-                  w * m[i] * kin.J * kin.G[axis<dim>(c)][axis<dim>(J)] * gradients.g[J][a];
-          if (view.has_temperature)
-            dR_t_dx[i * n + a * n_c + n_c - 1] += w * m[i] * v.dp_dtheta * gradients.N[a];
-        }
+        add_square(m, w * v.dp_dJ, H);
+        dp_dtheta[q] = v.dp_dtheta;
       }
     }
 
-    /// M^-1 H M^-1: how the pressure answers to B dx.
-    dealii::FullMatrix<double> stiffness() const
-    {
-      dealii::FullMatrix<double> result(H.m(), H.m());
-      result.triple_product(H, mass_inverse, mass_inverse);
-      return result;
-    }
+    /// M (R_t + H M R_p): what the pressure lacks where the nodes are.
+    Modes pressure_correction() const { return M * (R_t + H * (M * R_p)); }
 
-    /// M^-1 (R_t + H M^-1 R_p): the pressure correction at dx = 0.
-    dealii::Vector<double> pressure_correction() const
-    {
-      dealii::Vector<double> dt(R_p.size()), rhs = R_t, dp(R_p.size());
-      mass_inverse.vmult(dt, R_p);
-      H.vmult_add(rhs, dt);
-      mass_inverse.vmult(dp, rhs);
-      return dp;
-    }
-
-    dealii::FullMatrix<double> mass_inverse, H;
-    dealii::Vector<double> R_p, R_t;
-    std::vector<double> B, dR_t_dx; ///< [i][local dof]
-    double min_dilatation = std::numeric_limits<double>::max();
+    const ModeMatrix& M;
+    ModeMatrix H{};
+    Modes p{}, R_p{}, R_t{};
+    std::array<double, CellPoints<dim>::max> dp_dtheta{};
+    double min_det;
   };
 
-  /// Pressure at the points of the rule.
-  std::vector<double> interpolate(const double* coefficients) const
+  /// The pressure answers to dR_p/dx = int m J G Grad N by M H M and to dR_t/dtheta by M.
+  void add_condensed(const CellView<dim>& view, const CellPoints<dim>& points, const Local& local,
+                     double* tangent) const
   {
-    std::vector<double> values(rule->basis().n_points, 0.);
-    for (std::size_t q = 0; q < values.size(); ++q)
+    constexpr unsigned int length = Gradients<dim>::length;
+    using Rows = std::array<double, 4 * length>; // [mode][a]
+    const unsigned int stride = rule->basis().stride, n_nodes = rule->basis().n_nodes;
+    const int n_c = view.cell.n_components;
+    std::array<Rows, dim + 2> B{}; // of R_p by displacement components; of R_t by the last
+    for (unsigned int q = 0; q < points.n_points; ++q) {
+      const Kinematics<>& kin = points.kinematics[q];
+      const Gradients<dim>& gradients = points.gradients[q];
+      const double w = points.geometry[q].JxW;
+      for (int c = 0; c < dim; ++c)
+        for (int J = 0; J < dim; ++J)
+          add_rows(modes[q], w * kin.J * kin.G[axis<dim>(c)][axis<dim>(J)], gradients.g[J].data(),
+                   stride, B[c].data());
+      if (view.has_temperature)
+        add_rows(modes[q], w * local.dp_dtheta[q], gradients.N, stride, B[n_c - 1].data());
+    }
+
+    const ModeMatrix stiffness = local.M * local.H * local.M;
+    alignas(32) std::array<double, length * length> C;
+    for (int c = 0; c < dim; ++c) {
+      std::array<const double*, 4> rows;
       for (unsigned int i = 0; i < n_modes; ++i)
-        values[q] += modes[q * n_modes + i] * coefficients[i];
+        rows[i] = B[c].data() + i * stride;
+      for (int d = view.has_temperature ? 0 : c; d < n_c; ++d) {
+        const bool heat = view.has_temperature && d == n_c - 1;
+        if (d >= dim && !heat)
+          continue;
+        const ModeMatrix& answer = heat ? local.M : stiffness;
+        Rows pressure{};
+        for (unsigned int i = 0; i < n_modes; ++i)
+          for (unsigned int j = 0; j < n_modes; ++j)
+            for (unsigned int b = 0; b < stride; ++b)
+              pressure[i * stride + b] += answer[i][j] * B[d][j * stride + b];
+        multiply(stride, n_modes, rows.data(), pressure.data(), n_nodes, C.data());
+        add_block(C.data(), n_nodes, n_c, c, d, !view.has_temperature && c != d, tangent);
+      }
+    }
+  }
+
+  /// rows_ia += m_i w g_a.
+  void add_rows(const Modes& m, const double w, const double* g, const unsigned int stride,
+                double* rows) const
+  {
+    for (unsigned int i = 0; i < n_modes; ++i)
+      for (unsigned int a = 0; a < stride; ++a)
+        rows[i * stride + a] += m[i] * w * g[a];
+  }
+
+  ModeMatrix invert_mass(const PointGeometry<dim>* geometry) const
+  {
+    ModeMatrix sum{};
+    for (std::size_t q = 0; q < modes.size(); ++q)
+      add_square(modes[q], geometry[q].JxW, sum);
+    dealii::FullMatrix<double> mass(n_modes, n_modes);
+    for (unsigned int i = 0; i < n_modes; ++i)
+      for (unsigned int j = 0; j < n_modes; ++j)
+        mass(i, j) = sum[i][j];
+    mass.gauss_jordan();
+    ModeMatrix inverse{};
+    for (unsigned int i = 0; i < n_modes; ++i)
+      for (unsigned int j = 0; j < n_modes; ++j)
+        inverse[i][j] = mass(i, j);
+    return inverse;
+  }
+
+  /// Values at the points of the rule.
+  PointValues at_points(const Modes& coefficients) const
+  {
+    PointValues values;
+    for (std::size_t q = 0; q < modes.size(); ++q)
+      values[q] = modes[q] * coefficients;
     return values;
   }
 
   std::optional<Integration<dim>> rule;
   unsigned int n_modes = 0;
-  std::vector<double> modes; ///< m_i at the points of the rule, [q][i]
+  std::vector<Modes> modes;             ///< m_i at the points of the rule
+  std::vector<ModeMatrix> mass_inverse; ///< per cell
 };
 
 } // namespace

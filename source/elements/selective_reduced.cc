@@ -22,17 +22,15 @@ public:
   void residual(const CellView<dim>& view, CellResult& result) const override
   {
     result.reset(view.cell.dofs.size(), false);
-    integrate(*full, view, WithoutVolumetric(), false, result);
-    integrate(*reduced, view, VolumetricOnly(), false, result);
+    integrate(CellPoints<dim>(*full, view), view, WithoutVolumetric(), false, result);
+    integrate(CellPoints<dim>(*reduced, view), view, VolumetricOnly(), false, result);
   }
 
   void tangent(const CellView<dim>& view, CellResult& result) const override
   {
     result.reset(view.cell.dofs.size(), true);
-    integrate(*full, view, WithoutVolumetric(), true, result);
-    integrate(*reduced, view, VolumetricOnly(), true, result);
-    if (!view.has_temperature)
-      mirror(view.cell.dofs.size(), result.tangent.data());
+    integrate(CellPoints<dim>(*full, view), view, WithoutVolumetric(), true, result);
+    integrate(CellPoints<dim>(*reduced, view), view, VolumetricOnly(), true, result);
   }
 
 private:

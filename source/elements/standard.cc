@@ -17,15 +17,13 @@ public:
   void residual(const CellView<dim>& view, CellResult& result) const override
   {
     result.reset(view.cell.dofs.size(), false);
-    integrate(*full, view, WholeEnergy(), false, result);
+    integrate(CellPoints<dim>(*full, view), view, WholeEnergy(), false, result);
   }
 
   void tangent(const CellView<dim>& view, CellResult& result) const override
   {
     result.reset(view.cell.dofs.size(), true);
-    integrate(*full, view, WholeEnergy(), true, result);
-    if (!view.has_temperature)
-      mirror(view.cell.dofs.size(), result.tangent.data());
+    integrate(CellPoints<dim>(*full, view), view, WholeEnergy(), true, result);
   }
 
 private:

@@ -1,5 +1,6 @@
 #include <thelma/fields/state.h>
 
+#include <cmath>
 #include <limits>
 
 namespace thelma
@@ -24,22 +25,6 @@ void State::accept(const double load)
   past.push_back({load, x, internal});
 }
 
-void State::predict(const double load)
-{
-  x = 0.;
-  internal.assign(internal.size(), 0.);
-  for (const Accepted& a : past) {
-    double weight = 1.; // Lagrange's interpolation through the accepted states
-    for (const Accepted& b : past)
-      if (&a != &b)
-        weight *= (load - b.load) / (a.load - b.load);
-    x.add(weight, a.x);
-    for (std::size_t i = 0; i < internal.size(); ++i)
-      internal[i] += weight * a.internal[i];
-  }
-  x.update_ghost_values();
-}
-
 double State::estimated_limit() const
 {
   const double never = std::numeric_limits<double>::infinity();
@@ -52,14 +37,18 @@ double State::estimated_limit() const
     step -= last[i - 1].x.block(0);
     arc[i] = arc[i - 1] + step.l2_norm();
   }
-  // Newton's divided differences of load over arc length.
-  const double first = (last[1].load - last[0].load) / (arc[1] - arc[0]);
-  const double second =
-      ((last[2].load - last[1].load) / (arc[2] - arc[1]) - first) / (arc[2] - arc[0]);
+  // Newton's divided differences of load^2, to which displacements are proportional at first,
+  // over arc length.
+  double load[3];
+  for (int i = 0; i < 3; ++i)
+    load[i] = last[i].load * last[i].load;
+  const double first = (load[1] - load[0]) / (arc[1] - arc[0]);
+  const double second = ((load[2] - load[1]) / (arc[2] - arc[1]) - first) / (arc[2] - arc[0]);
   if (!(second < 0.))
     return never;
   const double vertex = (arc[0] + arc[1]) / 2. - first / (2. * second);
-  return last[0].load + first * (vertex - arc[0]) + second * (vertex - arc[0]) * (vertex - arc[1]);
+  return std::sqrt(load[0] + first * (vertex - arc[0]) +
+                   second * (vertex - arc[0]) * (vertex - arc[1]));
 }
 
 } // namespace thelma

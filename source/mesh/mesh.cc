@@ -1,5 +1,6 @@
 #include <thelma/base/axes.h>
 #include <thelma/base/error.h>
+#include <thelma/base/formula.h>
 #include <thelma/base/parameters.h>
 #include <thelma/mesh/mesh.h>
 
@@ -68,6 +69,14 @@ void Mesh<dim>::declare(dealii::ParameterHandler& prm)
   prm.add_parameter("Parameters", parameters,
                     "Values for the geometry's parameters, as `L1: 5, n1: 2`.",
                     Map(Anything(), Double(), 0, 100));
+  prm.add_parameter("Imperfection", imperfection,
+                    "Amplitude in mm of the displacement of the vertices before the calculation "
+                    "starts, so that the body leaves an unstable straight path.",
+                    Double());
+  prm.add_parameter("Imperfection shape", imperfection_shape,
+                    "Its three components as muParser expressions of x1, x2, x3 in mm, as `(1 - "
+                    "cos(2*pi*x3/20))/2; 0; 0`; multiplied by the amplitude.",
+                    List(Anything(), 0, 3, ";"));
 }
 
 template <int dim>
@@ -104,7 +113,49 @@ void Mesh<dim>::create_triangulation(const CoarseMesh& coarse)
     }
   dealii::GridTools::invert_all_negative_measure_cells(vertices, cells);
   dealii::GridTools::consistently_order_cells(cells);
+  if (imperfection != 0.) {
+    displace(vertices);
+    check_orientation(vertices, cells);
+  }
   tria.create_triangulation(vertices, cells, dealii::SubCellData());
+}
+
+template <int dim>
+void Mesh<dim>::displace(std::vector<dealii::Point<dim>>& vertices) const
+{
+  const std::string place = "section Mesh, entry 'Imperfection shape'";
+  if (imperfection_shape.size() != 3)
+    throw InputError(place + ": an imperfection needs three expressions with ';' between them, " +
+                     std::to_string(imperfection_shape.size()) + " given");
+  const std::vector<dealii::Point<dim>> perfect = vertices;
+  for (int c = 0; c < dim; ++c) {
+    const Formula<3> shape(place, imperfection_shape[axis<dim>(c)], "x1,x2,x3");
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+      dealii::Point<3> X;
+      for (int d = 0; d < dim; ++d)
+        X[axis<dim>(d)] = perfect[v][d];
+      vertices[v][c] += imperfection * shape(X);
+    }
+  }
+}
+
+/// A cell is sound as long as its Jacobian is positive at every vertex.
+template <int dim>
+void Mesh<dim>::check_orientation(const std::vector<dealii::Point<dim>>& vertices,
+                                  const std::vector<dealii::CellData<dim>>& cells) const
+{
+  constexpr unsigned int n = dealii::GeometryInfo<dim>::vertices_per_cell;
+  for (const dealii::CellData<dim>& cell : cells) {
+    dealii::Point<dim> corners[n];
+    dealii::Tensor<0, dim> volumes[n];
+    for (unsigned int v = 0; v < n; ++v)
+      corners[v] = vertices[cell.vertices[v]];
+    dealii::GeometryInfo<dim>::alternating_form_at_vertices(corners, volumes);
+    if (!std::all_of(volumes, volumes + n, [](const double volume) { return volume > 0.; }))
+      throw InputError("section Mesh, entry 'Imperfection': the amplitude of " +
+                       dealii::Patterns::Tools::to_string(imperfection) +
+                       " mm turns a cell inside out; choose a smaller one or a smoother shape");
+  }
 }
 
 template <int dim>

@@ -1,9 +1,6 @@
-#include <thelma/elements/integrate.h>
-#include <thelma/output/observables.h>
+#include <thelma/output/points.h>
 
 #include <deal.II/base/mpi.h>
-
-#include <optional>
 
 namespace thelma
 {
@@ -15,10 +12,7 @@ template <int dim>
 class Energy final : public Observable<dim>
 {
 public:
-  void setup(const Scene<dim>& scene) override
-  {
-    rule.emplace(scene.layout, scene.layout.degree() + 1);
-  }
+  void setup(const Scene<dim>& scene) override { points.setup(scene); }
 
   std::vector<std::string> columns() const override
   {
@@ -28,14 +22,10 @@ public:
   std::vector<double> evaluate(const Scene<dim>& scene) override
   {
     std::vector<double> sums{0., 0.};
-    scene.system.for_each_cell([&](const CellView<dim>& view) {
-      for (unsigned int q = 0; q < rule->basis().n_points; ++q) {
-        const auto& point = rule->of_cell(view.index)[q];
-        const Energies energies = view.cell.material->energies(
-            point_state(view, Gradients<dim>(rule->basis(), q, point)));
-        sums[0] += point.JxW * energies.elastic;
-        sums[1] += point.JxW * energies.electric;
-      }
+    points.visit(scene, [&](const PointState<>& state, const Material& material, const double JxW) {
+      const Energies energies = material.energies(state);
+      sums[0] += JxW * energies.elastic;
+      sums[1] += JxW * energies.electric;
     });
     std::vector<double> total(2);
     dealii::Utilities::MPI::sum(sums, scene.layout.communicator(), total);
@@ -43,7 +33,7 @@ public:
   }
 
 private:
-  std::optional<Integration<dim>> rule;
+  Points<dim> points;
 };
 
 } // namespace

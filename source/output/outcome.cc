@@ -1,12 +1,10 @@
+#include <thelma/base/formula.h>
 #include <thelma/base/parameters.h>
 #include <thelma/output/outcome.h>
-
-#include <deal.II/base/function_parser.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <iostream>
 #include <sstream>
 
 namespace thelma
@@ -40,20 +38,8 @@ void Expectations::setup(const std::vector<std::string>& columns, const double t
     if (std::find(columns.begin(), columns.end(), column) == columns.end())
       throw InputError(place + ": the curve has no column '" + column +
                        "'; known: " + comma_separated(columns));
-    std::ostringstream parser_noise; // deal.II writes the parser's complaint to cerr
-    auto* const cerr = std::cerr.rdbuf(parser_noise.rdbuf());
-    bool readable = true;
-    try {
-      dealii::FunctionParser<1> function;
-      function.initialize("theta", expression, {});
-      expected[column] = function.value(dealii::Point<1>(theta));
-    } catch (const dealii::ExceptionBase&) {
-      readable = false;
-    }
-    std::cerr.rdbuf(cerr);
-    if (!readable)
-      throw InputError(place + ": cannot evaluate '" + expression + "' for " + column +
-                       "; write an expression of theta");
+    const Formula<1> formula(place + ", " + column, expression, "theta");
+    expected[column] = formula(dealii::Point<1>(theta));
   }
 }
 

@@ -14,7 +14,7 @@ namespace
 constexpr int initialise = -1, finalise = -2, analyse = 1, factorise_job = 2, solve_job = 3;
 
 /// Call @p visit(row, column, value) for every stored entry of this rank, numbered from 0 over all
-/// blocks, in an order that never changes while the pattern stands.
+/// blocks.
 template <typename Visitor>
 void for_each_entry(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix, const Visitor& visit)
 {
@@ -68,10 +68,12 @@ void Mumps::collect_pattern(const dealii::TrilinosWrappers::BlockSparseMatrix& m
 {
   rows.clear();
   columns.clear();
-  for_each_entry(matrix, [&](const int i, const int j, double) {
+  sources.clear();
+  for_each_entry(matrix, [&](const int i, const int j, const double& value) {
     if (mumps.sym == 0 || i <= j) {
       rows.push_back(i + 1);
       columns.push_back(j + 1);
+      sources.push_back(&value);
     }
   });
   values.resize(rows.size());
@@ -82,26 +84,18 @@ void Mumps::collect_pattern(const dealii::TrilinosWrappers::BlockSparseMatrix& m
   mumps.a_loc = values.data();
 }
 
-void Mumps::collect_values(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix)
-{
-  std::size_t n = 0;
-  for_each_entry(matrix, [&](const int i, const int j, const double value) {
-    if (mumps.sym == 0 || i <= j)
-      values[n++] = value;
-  });
-}
-
 LinearReport Mumps::factorise(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix)
 {
-  if (!analysed) {
+  if (!analysed)
     collect_pattern(matrix);
-    collect_values(matrix);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    values[k] = *sources[k];
+  if (!analysed) {
     run(analyse);
     if (mumps.infog[0] < 0)
       return outcome();
     analysed = true;
   }
-  collect_values(matrix);
   run(factorise_job);
   while ((mumps.infog[0] == -8 || mumps.infog[0] == -9) && mumps.icntl[13] < 1000) {
     mumps.icntl[13] *= 2; // more delayed pivots than foreseen

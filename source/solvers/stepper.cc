@@ -2,6 +2,8 @@
 #include <thelma/solvers/stepper.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace thelma
 {
@@ -31,13 +33,18 @@ void Stepper::start(const double bracket, const double first_step)
   size = first_step;
   upper = no_failure;
   failed_from = -1.;
+  expected_limit = std::numeric_limits<double>::infinity();
 }
 
 double Stepper::next()
 {
-  if (upper >= no_failure)
-    trial = load + size > 1. - 1e-12 ? 1. : load + size;
-  else if (upper - load > resolution)
+  if (upper >= no_failure) {
+    // Towards a limit the path announces, and past it only from next to it: failures are dear.
+    const double ahead = expected_limit - load;
+    const double step = ahead > 0. ? std::min(size, std::max(0.7 * ahead, resolution)) : size;
+    const double left = 1. - load, n_steps = std::ceil(left / step * (1. - 1e-12));
+    trial = n_steps <= 1. ? 1. : load + (n_steps <= 3. ? left / n_steps : step);
+  } else if (upper - load > resolution)
     trial = std::min(load + size, (load + upper) / 2.);
   else // so close a failure must show itself again, from here
     trial = upper;
@@ -49,8 +56,9 @@ void Stepper::accept(const unsigned int newton_iterations, const double estimate
   load = trial;
   if (load >= upper || estimated_limit > upper + (upper - load))
     upper = no_failure;
+  expected_limit = estimated_limit;
   if (newton_iterations <= easy)
-    size = std::min(1.5 * size, largest);
+    size = std::min((2 * newton_iterations <= easy ? 3. : 1.5) * size, largest);
   else if (newton_iterations >= hard)
     size /= 2.;
 }

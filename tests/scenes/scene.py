@@ -27,14 +27,14 @@ class Program:
                        "--mca", "mpi_yield_when_idle", "1", *command]
         return command
 
-    def run(self, scene, output, *options, ranks=1):
-        """Runs prm/SCENE.prm in the source directory, into output; fails unless the exit is 0."""
+    def run(self, scene, output, *options, ranks=1, exit_code=0):
+        """Runs prm/SCENE.prm in the source directory, into output; requires the exit code."""
         command = self.command([f"prm/{scene}.prm", *options, "--output", str(output)], ranks)
         done = subprocess.run(command, cwd=self.source, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, check=False)
-        if done.returncode != 0:
+        if done.returncode != exit_code:
             print(" ".join(command), done.stdout, sep="\n")
-        require(done.returncode == 0, f"exit code {done.returncode}, not 0")
+        require(done.returncode == exit_code, f"exit code {done.returncode}, not {exit_code}")
         return study.Case(Path(output))
 
 

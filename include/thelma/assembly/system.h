@@ -28,7 +28,7 @@ public:
   void setup();
 
   ResidualReport residual() override;
-  LinearReport linear_solve() override;
+  LinearReport linear_solve(bool reuse) override;
   void move_to(double step) override;
 
   /// Assemble the tangent at the iterate.
@@ -71,7 +71,7 @@ private:
   std::unique_ptr<Mumps> solver;
   std::vector<double> scales; ///< per block
   double volume = 0.;         ///< mm^dim
-  BlockVector raw_residual, condensation, base, correction;
+  BlockVector raw_residual, base, correction;
   std::vector<double> internal_base, internal_correction;
 };
 

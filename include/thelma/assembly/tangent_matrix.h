@@ -5,6 +5,7 @@
 
 #include <deal.II/lac/trilinos_block_sparse_matrix.h>
 
+#include <functional>
 #include <vector>
 
 namespace thelma
@@ -18,7 +19,12 @@ template <int dim>
 class TangentMatrix
 {
 public:
-  void setup(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions);
+  /// Which pairs of components have entries; a component without any keeps 1 on the diagonal.
+  using Coupling = std::function<bool(unsigned int, unsigned int)>;
+
+  void setup(
+      const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
+      Coupling coupling = [](unsigned int, unsigned int) { return true; });
 
   /// Begin a new assembly.
   void clear();
@@ -35,14 +41,17 @@ private:
   void make_pattern(const FieldLayout<dim>& layout);
   void find_positions(const FieldLayout<dim>& layout);
   double* entry(dealii::types::global_dof_index row, dealii::types::global_dof_index column);
-  void add_row(dealii::types::global_dof_index row, const Cell<dim>& cell, const double* entries);
+  void add_row(const Cell<dim>& cell, std::size_t i, const double* entries);
+
+  bool couples(const Cell<dim>& cell, std::size_t i, std::size_t j) const;
 
   static constexpr int skipped = -1, elsewhere = -2;
 
   const dealii::AffineConstraints<double>* constraints = nullptr;
+  Coupling coupling;
   dealii::TrilinosWrappers::BlockSparseMatrix tangent;
   std::vector<double*> block_values;             ///< of the local part of block (i, j)
-  std::vector<double*> fixed_diagonals;          ///< of the prescribed unknowns of this rank
+  std::vector<double*> fixed_diagonals;          ///< of this rank's unknowns without equation
   std::vector<std::vector<int>> positions;       ///< [cell][i * n + j], or skipped, elsewhere
   std::vector<std::vector<unsigned int>> blocks; ///< [cell][i]
 };

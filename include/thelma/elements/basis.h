@@ -9,14 +9,22 @@
 namespace thelma
 {
 
+/// Rows of nodal quantities are padded with zeros to whole vector registers.
+constexpr unsigned int padded(const unsigned int n_nodes)
+{
+  return (n_nodes + 3) / 4 * 4;
+}
+
 /// Shape functions of the scalar element on the reference cell at the points of one rule.
 template <int dim>
 struct Basis {
+  static constexpr unsigned int max_nodes = dim == 2 ? 9 : 27, max_points = max_nodes;
+
   Basis(const dealii::FiniteElement<dim>& scalar, const dealii::Quadrature<dim>& rule);
 
-  unsigned int n_points, n_nodes;
-  std::vector<double> N;  ///< [q][a]
-  std::vector<double> dN; ///< [q][direction][a]
+  unsigned int n_points, n_nodes, stride; ///< stride = padded(n_nodes)
+  std::vector<double> N;                  ///< [q][a], rows of length stride
+  std::vector<double> dN;                 ///< [q][direction][a], rows of length stride
 };
 
 /// Map from the reference cell at one quadrature point, in the undeformed body.

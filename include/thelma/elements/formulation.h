@@ -25,15 +25,15 @@ struct CellView {
 struct CellResult {
   void reset(std::size_t n_dofs, bool with_tangent)
   {
-    residual.assign(n_dofs, 0.);
+    residual.assign(with_tangent ? 0 : n_dofs, 0.);
     tangent.assign(with_tangent ? n_dofs * n_dofs : 0, 0.);
     internal_error = 0.;
     min_det_F = std::numeric_limits<double>::max();
   }
 
-  /// R = dPi/dx, [a][c]; from tangent(): what condensing the internal unknowns adds to it.
+  /// R = dPi/dx, [a][c], with the internal unknowns where their linearised equations put them.
   std::vector<double> residual;
-  std::vector<double> tangent; ///< dR/dx, row by row
+  std::vector<double> tangent; ///< dR/dx, row by row, internal unknowns condensed
   double min_det_F;            ///< if not positive, the rest is meaningless
   double internal_error;       ///< squared residual of the internal equations, mm^dim
 };

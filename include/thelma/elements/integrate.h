@@ -8,28 +8,59 @@
 namespace thelma
 {
 
+/// What the nodal values @p x of a cell give at one point: the state of plane strain (dim = 2:
+/// F_22 = 1, no field or flux out of plane) or of space.
+template <int dim>
+PointInput point_input(const CellView<dim>& view, const NodalValues<dim>& x,
+                       const Gradients<dim>& gradients)
+{
+  PointInput input;
+  for (unsigned int i = 0; i < 3; ++i)
+    input.state.F[i][i] = 1.;
+  const unsigned int last = x.n_components - 1;
+  input.state.theta = view.has_temperature ? x.value(last, gradients) : view.theta;
+  for (int J = 0; J < dim; ++J) {
+    for (int i = 0; i < dim; ++i)
+      input.state.F[axis<dim>(i)][axis<dim>(J)] += x.gradient(i, J, gradients);
+    if (view.cell.has_potential)
+      input.state.E[axis<dim>(J)] = -x.gradient(dim, J, gradients);
+    if (view.has_temperature)
+      input.grad_theta[axis<dim>(J)] = x.gradient(last, J, gradients);
+  }
+  return input;
+}
+
 /// The state at one point of a cell, for whatever looks at points without assembling.
 template <int dim>
 PointState<> point_state(const CellView<dim>& view, const Gradients<dim>& gradients)
 {
-  const unsigned int n_c = view.cell.n_components;
-  PointState<> state;
-  for (unsigned int i = 0; i < 3; ++i)
-    state.F[i][i] = 1.;
-  state.theta = view.has_temperature ? 0. : view.theta;
-  for (unsigned int a = 0; a < gradients.n_nodes; ++a) {
-    const double* x = view.x + a * n_c;
-    for (int J = 0; J < dim; ++J) {
-      for (int i = 0; i < dim; ++i)
-        state.F[axis<dim>(i)][axis<dim>(J)] += x[i] * gradients.g[J][a];
-      if (view.cell.has_potential)
-        state.E[axis<dim>(J)] -= x[dim] * gradients.g[J][a];
-    }
-    if (view.has_temperature)
-      state.theta += x[n_c - 1] * gradients.N[a];
-  }
-  return state;
+  const NodalValues<dim> x(view.x, gradients.n_nodes, view.cell.n_components);
+  return point_input(view, x, gradients).state;
 }
+
+/// Everything the formulations need to know of the points of one rule in a cell.
+template <int dim>
+struct CellPoints {
+  CellPoints(const Integration<dim>& rule, const CellView<dim>& view)
+      : n_points(rule.basis().n_points), geometry(rule.of_cell(view.index))
+  {
+    const NodalValues<dim> x(view.x, rule.basis().n_nodes, view.cell.n_components);
+    for (unsigned int q = 0; q < n_points; ++q) {
+      gradients[q] = Gradients<dim>(rule.basis(), q, geometry[q]);
+      input[q] = point_input(view, x, gradients[q]);
+      kinematics[q] = Kinematics<>(input[q].state.F);
+      min_det_F = std::min(min_det_F, kinematics[q].J);
+    }
+  }
+
+  static constexpr unsigned int max = Basis<dim>::max_points;
+  unsigned int n_points;
+  const PointGeometry<dim>* geometry;
+  std::array<Gradients<dim>, max> gradients;
+  std::array<PointInput, max> input;
+  std::array<Kinematics<>, max> kinematics;
+  double min_det_F = std::numeric_limits<double>::max();
+};
 
 /// Everything the material has.
 struct WholeEnergy {
@@ -70,53 +101,51 @@ struct VolumetricOnly {
 
 /// Add the integral of @p part over one cell to its residual or tangent.
 template <typename Fields, typename Part>
-void integrate_fields(const Integration<Fields::dim>& rule, const CellView<Fields::dim>& view,
+void integrate_fields(const CellPoints<Fields::dim>& points, const CellView<Fields::dim>& view,
                       const Part& part, const bool with_tangent, CellResult& result)
 {
   const Material& material = *view.cell.material;
-  const auto* geometry = rule.of_cell(view.index);
-  for (unsigned int q = 0; q < rule.basis().n_points; ++q) {
-    const Gradients<Fields::dim> gradients(rule.basis(), q, geometry[q]);
-    double gradient[Fields::n][Fields::dim];
-    const double last = gradients.template interpolate<Fields::n>(view.x, gradient);
-    const PointInput input =
-        point_input<Fields>(gradient, Fields::has_temperature ? last : view.theta);
-    const Kinematics<> kin(input.state.F);
-    result.min_det_F = std::min(result.min_det_F, kin.J);
-    if (!(kin.J > 0.))
-      return;
-
-    PointSystem<Fields> system{};
+  std::array<PointSystem<Fields>, CellPoints<Fields::dim>::max> systems;
+  for (unsigned int q = 0; q < points.n_points; ++q) {
+    const PointInput& input = points.input[q];
+    const Kinematics<>& kin = points.kinematics[q];
+    systems[q].clear();
     if constexpr (Part::conducts && Fields::has_temperature)
-      add_heat_flux(material.thermal.heat_flux(kin, input.grad_theta), system);
+      add_heat_flux(material.thermal.heat_flux(kin, input.grad_theta), systems[q]);
     if (with_tangent) {
-      SecondDerivatives<> d;
+      SecondDerivatives<> d{};
       part.add(material, input.state, kin, q, d);
-      add_moduli(d, system);
-      add_tangent(gradients, system, geometry[q].JxW, result.tangent.data());
+      add_moduli(d, systems[q]);
     } else {
-      FirstDerivatives<> d;
+      FirstDerivatives<> d{};
       part.add(material, input.state, kin, q, d);
-      add_fluxes(d, system);
-      add_residual(gradients, system, geometry[q].JxW, result.residual.data());
+      add_fluxes(d, systems[q]);
     }
+    systems[q].scale(points.geometry[q].JxW, with_tangent);
   }
+  if (with_tangent)
+    add_tangent(points.gradients.data(), systems.data(), points.n_points, result.tangent.data());
+  else
+    add_residual(points.gradients.data(), systems.data(), points.n_points, result.residual.data());
 }
 
-/// integrate_fields() for whatever fields the cell has.
+/// integrate_fields() for whatever fields the cell has; nothing where det F is not positive.
 template <typename Part, int dim>
-void integrate(const Integration<dim>& rule, const CellView<dim>& view, const Part& part,
+void integrate(const CellPoints<dim>& points, const CellView<dim>& view, const Part& part,
                const bool with_tangent, CellResult& result)
 {
+  result.min_det_F = std::min(result.min_det_F, points.min_det_F);
+  if (!(points.min_det_F > 0.))
+    return;
   const bool potential = view.cell.has_potential, temperature = view.has_temperature;
   if (potential && temperature)
-    integrate_fields<Components<dim, true, true>>(rule, view, part, with_tangent, result);
+    integrate_fields<Components<dim, true, true>>(points, view, part, with_tangent, result);
   else if (potential)
-    integrate_fields<Components<dim, true, false>>(rule, view, part, with_tangent, result);
+    integrate_fields<Components<dim, true, false>>(points, view, part, with_tangent, result);
   else if (temperature)
-    integrate_fields<Components<dim, false, true>>(rule, view, part, with_tangent, result);
+    integrate_fields<Components<dim, false, true>>(points, view, part, with_tangent, result);
   else
-    integrate_fields<Components<dim, false, false>>(rule, view, part, with_tangent, result);
+    integrate_fields<Components<dim, false, false>>(points, view, part, with_tangent, result);
 }
 
 } // namespace thelma

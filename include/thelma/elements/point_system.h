@@ -27,6 +27,26 @@ struct PointSystem {
   double M[n_c][dim][dim][n_c];
   /// dS_cJ/dtheta.
   double m[n_c][dim];
+
+  void clear() { *this = PointSystem(); }
+
+  /// Multiply by the integration weight @p w what will be used.
+  void scale(const double w, const bool with_tangent)
+  {
+    for (auto& row : S)
+      for (double& entry : row)
+        entry *= w;
+    if (with_tangent) {
+      for (auto& cJ : M)
+        for (auto& J : cJ)
+          for (auto& L : J)
+            for (double& entry : L)
+              entry *= w;
+      for (auto& row : m)
+        for (double& entry : row)
+          entry *= w;
+    }
+  }
 };
 
 /// What a cell's nodal values give at one point.
@@ -34,26 +54,6 @@ struct PointInput {
   PointState<> state;
   Tensor3<1> grad_theta;
 };
-
-/// State of plane strain (dim = 2: F_22 = 1, no field or flux out of plane) or space from the
-/// gradients of the components; @p theta is the temperature at the point.
-template <typename Fields>
-PointInput point_input(const double (&gradient)[Fields::n][Fields::dim], const double theta)
-{
-  PointInput input;
-  input.state.theta = theta;
-  for (unsigned int i = 0; i < 3; ++i)
-    input.state.F[i][i] = 1.;
-  for (int J = 0; J < Fields::dim; ++J) {
-    for (int i = 0; i < Fields::dim; ++i)
-      input.state.F[axis<Fields::dim>(i)][axis<Fields::dim>(J)] += gradient[i][J];
-    if constexpr (Fields::has_potential)
-      input.state.E[axis<Fields::dim>(J)] = -gradient[Fields::potential][J];
-    if constexpr (Fields::has_temperature)
-      input.grad_theta[axis<Fields::dim>(J)] = gradient[Fields::temperature][J];
-  }
-  return input;
-}
 
 template <typename Fields>
 void add_fluxes(const FirstDerivatives<>& d, PointSystem<Fields>& system)

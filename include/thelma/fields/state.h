@@ -20,15 +20,28 @@ public:
   /// Return to the last accepted state.
   void restore();
 
-  /// Extrapolate the last accepted states to @p load.
-  void predict(double load);
-
   /// Load factor of the last accepted state.
   double accepted_load() const { return past.back().load; }
 
   /// The load at which the path through the last three accepted states turns back, from the
-  /// parabola load(arc length of displacements); infinity while the load does not slow down.
+  /// parabola load^2(arc length of displacements); infinity while the load does not slow down.
   double estimated_limit() const;
+
+  /// Load factor that those three states cover.
+  double recent_span() const
+  {
+    return past.back().load - past[past.size() < 3 ? 0 : past.size() - 3].load;
+  }
+
+  /// An accepted state.
+  struct Accepted {
+    double load;
+    BlockVector x;
+    std::vector<double> internal;
+  };
+
+  /// The last accepted states (at most `memory`), the newest last.
+  const std::vector<Accepted>& path() const { return past; }
 
   BlockVector x;                ///< values of all fields, with ghosts
   std::vector<double> internal; ///< unknowns inside the own cells, such as element pressures
@@ -36,13 +49,8 @@ public:
   double theta = 0.;            ///< uniform temperature in K
 
 private:
-  struct Accepted {
-    double load;
-    BlockVector x;
-    std::vector<double> internal;
-  };
   static constexpr std::size_t memory = 4;
-  std::vector<Accepted> past; ///< at most so many, the newest last
+  std::vector<Accepted> past;
 };
 
 } // namespace thelma

@@ -71,6 +71,7 @@ struct HeatFlux {
 /// J = det F and G = F^{-T}, from which every derivative of the laws is built.
 template <typename Number = double>
 struct Kinematics {
+  Kinematics() = default;
   explicit Kinematics(const Tensor3<2, Number>& F)
   {
     Tensor3<2, Number> cofactor;

@@ -55,10 +55,15 @@ public:
 
 private:
   void create_triangulation(const CoarseMesh& coarse);
+  void displace(std::vector<dealii::Point<dim>>& vertices) const;
+  void check_orientation(const std::vector<dealii::Point<dim>>& vertices,
+                         const std::vector<dealii::CellData<dim>>& cells) const;
   void find_entities(const CoarseMesh& coarse);
 
   std::string file;
   std::map<std::string, double> parameters;
+  double imperfection = 0.; ///< mm
+  std::vector<std::string> imperfection_shape;
   dealii::parallel::shared::Triangulation<dim> tria;
   std::vector<std::string> region_names;
   std::map<std::string, std::vector<Entity>> surfaces;

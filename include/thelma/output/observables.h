@@ -27,7 +27,7 @@ template <int dim>
 double mean_temperature(const Scene<dim>& scene);
 
 /// One or a few named numbers per accepted step. A new observable is one file and one line in
-/// list.cc; its parameters stand in the section Observables/<its name>.
+/// observable_list.cc; its parameters stand in the section Observables/<its name>.
 template <int dim>
 class Observable
 {
@@ -56,5 +56,13 @@ template <int dim>
 std::unique_ptr<Observable<dim>> make_displacement(const std::string& name);
 template <int dim>
 std::unique_ptr<Observable<dim>> make_stretch(unsigned int direction);
+template <int dim>
+std::unique_ptr<Observable<dim>> make_reaction();
+template <int dim>
+std::unique_ptr<Observable<dim>> make_volume();
+template <int dim>
+std::unique_ptr<Observable<dim>> make_det_F();
+template <int dim>
+std::unique_ptr<Observable<dim>> make_breakdown();
 
 } // namespace thelma

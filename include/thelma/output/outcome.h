@@ -26,7 +26,7 @@ struct Outcome {
   std::string reason;                  ///< a sentence
   std::optional<Bracket> pull_in;
 
-  unsigned int steps = 0, failed_steps = 0, newton_iterations = 0, ranks = 1;
+  unsigned int steps = 0, failed_steps = 0, newton_iterations = 0, factorisations = 0, ranks = 1;
   double seconds = 0.;
   std::map<std::string, double> seconds_per_phase;
   std::map<std::string, unsigned long long> unknowns;

@@ -23,7 +23,7 @@ public:
   Mumps(const Mumps&) = delete;
   Mumps& operator=(const Mumps&) = delete;
 
-  /// Factorise; the analysis of the first call serves as long as the pattern stands.
+  /// Factorise; the pattern and the place of the entries are those of the first call.
   LinearReport factorise(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix);
 
   /// Replace the owned entries of @p vector by the solution with them as right-hand side.
@@ -31,7 +31,6 @@ public:
 
 private:
   void collect_pattern(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix);
-  void collect_values(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix);
   void collect_layout(const dealii::LinearAlgebra::distributed::BlockVector<double>& vector);
   void run(int job);
   LinearReport outcome() const;
@@ -40,6 +39,7 @@ private:
   DMUMPS_STRUC_C mumps;
   std::vector<int> rows, columns;
   std::vector<double> values;
+  std::vector<const double*> sources; ///< of the values in the matrix
   std::vector<int> own_indices;                       ///< of this rank's vector entries
   std::vector<int> gathered_indices, counts, offsets; ///< of all ranks', on rank 0
   bool analysed = false, layout_known = false;

@@ -31,8 +31,9 @@ public:
   /// Residual at the current iterate.
   virtual ResidualReport residual() = 0;
 
-  /// Linearise at the current iterate, which becomes the base, and solve for the correction.
-  virtual LinearReport linear_solve() = 0;
+  /// Solve for the correction of the current iterate, which becomes the base: with its own tangent
+  /// or, to @p reuse it, with the last one factorised.
+  virtual LinearReport linear_solve(bool reuse) = 0;
 
   /// Iterate = base + @p step * correction.
   virtual void move_to(double step) = 0;
@@ -42,7 +43,8 @@ public:
 struct NewtonReport {
   bool converged = false;
   std::string reason; ///< why not
-  unsigned int iterations = 0;
+  unsigned int iterations = 0;     ///< corrections
+  unsigned int factorisations = 0; ///< tangents among them
   std::vector<double> residuals;
   double min_det_F = 0.;
   long long negative_pivots = 0; ///< of the last tangent
@@ -50,6 +52,10 @@ struct NewtonReport {
 
 /// Newton's method. The line search only keeps det F > 0: near incompressibility the residual of
 /// a good step may well grow before it falls.
+///
+/// While an iteration shrinks the residual by `reuse_below`, the next one takes the same tangent.
+/// That contraction also bounds how far the tangent has moved since, so the count of its negative
+/// pivots still holds.
 class Newton
 {
 public:
@@ -58,6 +64,7 @@ public:
 
 private:
   double tolerance = 1e-10;
+  double reuse_below = 1e-3;
   unsigned int max_iterations = 14;
 };
 

@@ -27,6 +27,9 @@ public:
   bool finished() const { return load >= 1.; }
   bool exhausted() const { return failed_from == load && upper - load <= resolution; }
 
+  /// Whether the trial step is near the smallest there is.
+  bool finest() const { return trial - load <= 4. * resolution; }
+
   double accepted() const { return load; }
   double step() const { return size; }
 
@@ -38,7 +41,7 @@ private:
   unsigned int easy = 4, hard = 8;
 
   double resolution = 0., load = 0., size = 0., trial = 0.;
-  double upper = 2., failed_from = -1.;
+  double upper = 2., failed_from = -1., expected_limit = 0.;
 };
 
 } // namespace thelma

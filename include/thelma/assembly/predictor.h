@@ -1,0 +1,64 @@
+#pragma once
+
+#include <thelma/assembly/tangent_matrix.h>
+#include <thelma/elements/basis.h>
+#include <thelma/fields/state.h>
+#include <thelma/solvers/mumps.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace thelma
+{
+
+/// What reversing the load factor does to the solution: nothing is known of it, or it is the same
+/// but for the sign of the potential.
+enum class LoadSymmetry { none, voltage };
+
+/// Guesses the state at a new load from the accepted ones (theory.md, "Prediction").
+///
+/// Polynomials do not follow a body that rolls up: its points move along circles. So not the
+/// displacement is extrapolated but the deformation gradient, F = R U, the rotation by its vector
+/// and the stretch by its components; the displacement is the one whose gradient comes nearest.
+/// Where a path bends sharply, as at a bifurcation, high orders mislead: the order is the one that
+/// has lately served.
+template <int dim>
+class Predictor
+{
+public:
+  Predictor(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions, State& state)
+      : layout(layout), conditions(conditions), state(state)
+  {
+  }
+
+  /// The fields and constraints must stand.
+  void setup();
+
+  /// Write the guess at @p load into the State's iterate.
+  void predict(double load, LoadSymmetry symmetry);
+
+  /// How far the iterate, now converged, lies from the guess, as a part of its distance from the
+  /// last accepted state. Above 1 it is probably on another branch.
+  double surprise() const;
+
+  /// Choose the next order by the surprise of the accepted state, or after a failure.
+  void adapt(double surprise);
+
+private:
+  void factorise();
+  void follow_rotation(const std::vector<State::Accepted>& path,
+                       const std::vector<double>& weights);
+
+  static constexpr unsigned int highest_order = 3;
+
+  const FieldLayout<dim>& layout;
+  const BoundaryConditions<dim>& conditions;
+  State& state;
+  std::optional<Integration<dim>> full, reduced;
+  std::unique_ptr<Mumps> laplacian; ///< of each displacement component; null until needed
+  BlockVector moments, guess;
+  unsigned int order = highest_order;
+};
+
+} // namespace thelma

@@ -1,0 +1,188 @@
+#include <thelma/assembly/predictor.h>
+#include <thelma/base/rotation.h>
+#include <thelma/elements/integrate.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace thelma
+{
+namespace
+{
+
+enum class Parity { none, even, odd };
+
+/// Weights of the accepted states in the polynomial of @p parity through them, at @p load.
+std::vector<double> weights(const std::vector<State::Accepted>& path, const double load,
+                            const Parity parity)
+{
+  const auto abscissa = [&](const double l) { return parity == Parity::none ? l : l * l; };
+  const auto is_zero = [&](const State::Accepted& a) {
+    return parity == Parity::odd && a.load == 0.; // known without being asked
+  };
+  std::vector<double> result;
+  for (const auto& a : path) {
+    double weight = is_zero(a) ? 0. : parity == Parity::odd ? load / a.load : 1.;
+    for (const auto& b : path)
+      if (&a != &b && !is_zero(b))
+        weight *= (abscissa(load) - abscissa(b.load)) / (abscissa(a.load) - abscissa(b.load));
+    result.push_back(weight);
+  }
+  return result;
+}
+
+/// How the deformation gradient that continues the history @p F, newest last, differs from the
+/// polynomial through its components.
+Tensor3<2> rotation_effect(const std::vector<Tensor3<2>>& F, const std::vector<double>& weights)
+{
+  const PolarDecomposition newest(F.back());
+  Tensor3<2> next = newest.R, U = weights.back() * newest.U, polynomial = weights.back() * F.back();
+  Tensor3<1> turn, sum; // rotation vectors from the newest state
+  for (std::size_t k = F.size() - 1; k-- > 0;) {
+    const PolarDecomposition polar(F[k]);
+    turn -= rotation_vector(next * dealii::transpose(polar.R));
+    sum += weights[k] * turn;
+    U += weights[k] * polar.U;
+    polynomial += weights[k] * F[k];
+    next = polar.R;
+  }
+  return rotation(sum) * newest.R * U - polynomial;
+}
+
+} // namespace
+
+template <int dim>
+void Predictor<dim>::setup()
+{
+  full.emplace(layout, layout.degree() + 1);
+  reduced.emplace(layout, layout.degree());
+  laplacian.reset();
+  moments = layout.new_vector();
+  guess = layout.new_vector();
+}
+
+template <int dim>
+void Predictor<dim>::factorise()
+{
+  TangentMatrix<dim> matrix;
+  matrix.setup(layout, conditions,
+               [](const unsigned int c, const unsigned int d) { return c == d && c < dim; });
+  matrix.clear();
+  std::vector<double> entries;
+  for (std::size_t index = 0; index < layout.cells().size(); ++index) {
+    const Cell<dim>& cell = layout.cells()[index];
+    const std::size_t n = cell.dofs.size(), n_c = cell.n_components;
+    entries.assign(n * n, 0.);
+    for (unsigned int q = 0; q < full->basis().n_points; ++q) {
+      const auto& point = full->of_cell(index)[q];
+      const Gradients<dim> gradients(full->basis(), q, point);
+      for (unsigned int a = 0; a < gradients.n_nodes; ++a)
+        for (unsigned int b = 0; b < gradients.n_nodes; ++b) {
+          double sum = 0.;
+          for (int J = 0; J < dim; ++J)
+            sum += point.JxW * gradients.g[J][a] * gradients.g[J][b];
+          for (int i = 0; i < dim; ++i)
+            entries[(a * n_c + i) * n + b * n_c + i] += sum;
+        }
+    }
+    matrix.add(index, cell, entries);
+  }
+  matrix.finish();
+  laplacian = std::make_unique<Mumps>(layout.communicator(), true);
+  laplacian->factorise(matrix.matrix());
+}
+
+template <int dim>
+void Predictor<dim>::predict(const double load, const LoadSymmetry symmetry)
+{
+  const bool mirrored = symmetry == LoadSymmetry::voltage;
+  const std::size_t known = std::min<std::size_t>(state.path().size(), order + 1);
+  const std::vector<State::Accepted> path(state.path().end() - known, state.path().end());
+  const std::vector<double> even = weights(path, load, mirrored ? Parity::even : Parity::none);
+  const std::vector<double> odd = mirrored ? weights(path, load, Parity::odd) : even;
+
+  for (unsigned int b = 0; b < state.x.n_blocks(); ++b) {
+    const bool potential = layout.has(Field::potential) && b == layout.block(Field::potential);
+    state.x.block(b) = 0.;
+    for (std::size_t k = 0; k < path.size(); ++k)
+      state.x.block(b).add(potential ? odd[k] : even[k], path[k].x.block(b));
+  }
+  state.internal.assign(state.internal.size(), 0.);
+  for (std::size_t k = 0; k < path.size(); ++k)
+    for (std::size_t i = 0; i < state.internal.size(); ++i)
+      state.internal[i] += even[k] * path[k].internal[i];
+  if (path.size() > 1)
+    follow_rotation(path, even);
+  state.x.update_ghost_values();
+  guess = state.x;
+}
+
+template <int dim>
+void Predictor<dim>::follow_rotation(const std::vector<State::Accepted>& path,
+                                     const std::vector<double>& weights)
+{
+  constexpr double negligible = 1e-5; // root mean square of the effect
+  std::vector<std::vector<double>> x(path.size());
+  std::vector<Tensor3<2>> F(path.size());
+  std::vector<double> values, size{0., 0.}, sum(2);
+  moments = 0.;
+  for (std::size_t index = 0; index < layout.cells().size(); ++index) {
+    const Cell<dim>& cell = layout.cells()[index];
+    for (std::size_t k = 0; k < path.size(); ++k)
+      layout.gather(cell, path[k].x, x[k]);
+    values.assign(cell.dofs.size(), 0.);
+    for (unsigned int q = 0; q < reduced->basis().n_points; ++q) {
+      const auto& point = reduced->of_cell(index)[q];
+      const Gradients<dim> gradients(reduced->basis(), q, point);
+      for (std::size_t k = 0; k < path.size(); ++k)
+        F[k] = point_state(CellView<dim>{index, cell, x[k].data(), nullptr, state.theta,
+                                         layout.has(Field::temperature)},
+                           gradients)
+                   .F;
+      const Tensor3<2> H = rotation_effect(F, weights);
+      size[0] += point.JxW * H.norm_square();
+      size[1] += point.JxW;
+      for (unsigned int a = 0; a < gradients.n_nodes; ++a)
+        for (int i = 0; i < dim; ++i)
+          for (int J = 0; J < dim; ++J)
+            values[a * cell.n_components + i] +=
+                point.JxW * H[axis<dim>(i)][axis<dim>(J)] * gradients.g[J][a];
+    }
+    layout.scatter(cell, values, moments);
+  }
+  moments.compress(dealii::VectorOperation::add);
+  dealii::Utilities::MPI::sum(size, layout.communicator(), sum);
+  if (sum[0] < negligible * negligible * sum[1])
+    return;
+  if (!laplacian)
+    factorise();
+  conditions.constraints().set_zero(moments);
+  laplacian->solve(moments);
+  state.x.block(0) += moments.block(0);
+}
+
+template <int dim>
+double Predictor<dim>::surprise() const
+{
+  if (state.path().size() < 2)
+    return 0.; // nothing was foretold
+  auto correction = state.x.block(0), step = state.x.block(0);
+  correction -= guess.block(0);
+  step -= state.path().back().x.block(0);
+  const double length = step.l2_norm();
+  return length > 0. ? correction.l2_norm() / length : 0.;
+}
+
+template <int dim>
+void Predictor<dim>::adapt(const double surprise)
+{
+  constexpr double trusted = 0.3;
+  order = surprise > trusted ? 1 : std::min(order + 1, highest_order);
+}
+
+template class Predictor<2>;
+template class Predictor<3>;
+
+} // namespace thelma

@@ -1,0 +1,60 @@
+#include <thelma/output/points.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+namespace thelma
+{
+namespace
+{
+
+/// Largest electric field in the deformed body, F^-T E, and its ratio to what the material stands.
+template <int dim>
+class Breakdown final : public Observable<dim>
+{
+public:
+  void declare(dealii::ParameterHandler& prm) override
+  {
+    prm.add_parameter("Breakdown field", breakdown,
+                      "Electric field in kV/mm of the deformed body that the material stands. An "
+                      "acrylic of deformed thickness h (mm) and in-plane stretch lambda stands 51 "
+                      "h^-0.25 lambda^0.63 (Huang et al. 2012, doi:10.1063/1.4754549); the default "
+                      "is that of 1 mm, not stretched.",
+                      dealii::Patterns::Double(1e-12));
+  }
+
+  void setup(const Scene<dim>& scene) override { points.setup(scene); }
+
+  std::vector<std::string> columns() const override
+  {
+    return {"max_true_field_kV_mm", "breakdown_ratio"};
+  }
+
+  std::vector<double> evaluate(const Scene<dim>& scene) override
+  {
+    double largest = 0.;
+    points.visit(scene, [&](const PointState<>& state, const Material&, double) {
+      largest = std::max(largest, (Kinematics<>(state.F).G * state.E).norm());
+    });
+    largest = dealii::Utilities::MPI::max(largest, scene.layout.communicator());
+    return {largest, largest / breakdown};
+  }
+
+private:
+  double breakdown = 51.; ///< kV/mm
+  Points<dim> points;
+};
+
+} // namespace
+
+template <int dim>
+std::unique_ptr<Observable<dim>> make_breakdown()
+{
+  return std::make_unique<Breakdown<dim>>();
+}
+
+template std::unique_ptr<Observable<2>> make_breakdown();
+template std::unique_ptr<Observable<3>> make_breakdown();
+
+} // namespace thelma
