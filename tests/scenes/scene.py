@@ -21,8 +21,10 @@ class Program:
         """The command line that starts the program on so many ranks."""
         command = [str(Path(self.binary).resolve()), *arguments]
         if ranks > 1:
+            # A rank that waits leaves its processor to the others, also those of other tests.
             command = [self.mpiexec, "--quiet", "-np", str(ranks), "--allow-run-as-root",
-                       "--oversubscribe", "--bind-to", "none", *command]
+                       "--oversubscribe", "--bind-to", "none",
+                       "--mca", "mpi_yield_when_idle", "1", *command]
         return command
 
     def run(self, scene, output, *options, ranks=1, exit_code=0):
