@@ -1,3 +1,4 @@
+#include <thelma/application/estimate.h>
 #include <thelma/application/simulation.h>
 #include <thelma/application/study.h>
 #include <thelma/base/version.h>
@@ -48,6 +49,8 @@ ExitCode run(const CommandLine& line, std::ostream& out)
   default:
     if (!line.sweeps.empty())
       return Study(MPI_COMM_WORLD, line).run();
+    if (line.estimates)
+      return run_with_estimate(MPI_COMM_WORLD, line.file, line.overrides, line.output, out).code;
     return run_scene(MPI_COMM_WORLD, ParameterFile(line.file, line.overrides), line.output, out)
         .code;
   }

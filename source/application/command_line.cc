@@ -93,6 +93,8 @@ CommandLine CommandLine::parse(const std::vector<std::string>& given)
       line.ranks_per_case = parse_ranks_per_case(value());
     else if (word == "--output")
       line.output = value();
+    else if (word == "--estimate")
+      line.estimates = true;
     else if (word == "--check")
       line.action = Action::check;
     else if (word == "--list")
@@ -105,8 +107,8 @@ CommandLine CommandLine::parse(const std::vector<std::string>& given)
       line.action = Action::help;
     else if (word.rfind("-", 0) == 0)
       throw InputError("command line: unknown option '" + word +
-                       "'; known: --set, --sweep, --ranks-per-case, --output, --check, --list, "
-                       "--defaults, --version, --help");
+                       "'; known: --set, --sweep, --ranks-per-case, --output, --estimate, --check, "
+                       "--list, --defaults, --version, --help");
     else if (!line.file.empty())
       throw InputError("command line: two parameter files, '" + line.file + "' and '" + word +
                        "'; give one");
@@ -116,6 +118,9 @@ CommandLine CommandLine::parse(const std::vector<std::string>& given)
   const bool needs_file = line.action == Action::run || line.action == Action::check;
   if (needs_file && line.file.empty())
     throw InputError("command line: no parameter file; write thelma FILE.prm or see thelma --help");
+  if (line.estimates && !line.sweeps.empty())
+    throw InputError("command line: --estimate is for a single run; leave out --sweep, or sweep "
+                     "over Mesh/Refinements");
   if (line.output.empty())
     line.output = "output/" + std::filesystem::path(line.file).stem().string();
   return line;
@@ -132,6 +137,8 @@ Simulates dielectric elastomer actuators: finite deformation, electric field, te
   --ranks-per-case N                 ranks that share a run of a sweep (default 1); as many
                                      runs as fit go side by side
   --output DIR                       where results go (default output/<name of FILE>)
+  --estimate                         run again on a mesh twice as fine and print the error of
+                                     every number (estimate.csv)
   --check                            read the scene, build everything, run nothing
   --list                             known laws, formulations, solvers and observables
   --defaults                         print every entry with its default, unit and meaning
@@ -144,6 +151,7 @@ Examples
   thelma prm/planar_actuator.prm
   mpirun -np 2 thelma prm/planar_actuator.prm --set "Temperature/Value=353" --output hot
   mpirun -np 2 thelma prm/planar_actuator.prm --sweep "Temperature/Value=273,293,313,333,353"
+  thelma prm/bending_actuator_plane.prm --estimate
   mpirun -np 2 thelma @prm/studies/bending_actuator.study
 
 Exit codes

@@ -69,15 +69,16 @@ void set_parameters(const std::string& file, const std::map<std::string, double>
   }
 }
 
-void generate(const std::string& file, const int dim)
+void generate(const std::string& file, const unsigned int refinements, const int dim)
 {
   std::vector<int> types;
   gmsh::model::mesh::getElementTypes(types);
-  if (!types.empty())
-    return; // a .msh brings its elements along
   std::string problem;
   try {
-    gmsh::model::mesh::generate(dim);
+    if (types.empty()) // a .msh brings its elements along
+      gmsh::model::mesh::generate(dim);
+    for (unsigned int i = 0; i < refinements; ++i)
+      gmsh::model::mesh::refine();
     problem = Gmsh::errors();
   } catch (const std::exception& error) {
     problem = error.what();
@@ -148,7 +149,7 @@ void drop_unused_vertices(CoarseMesh& mesh, const int dim)
 } // namespace
 
 CoarseMesh read_gmsh(const std::string& file, const std::map<std::string, double>& parameters,
-                     const int dim)
+                     const unsigned int refinements, const int dim)
 {
   if (!std::filesystem::exists(file))
     throw InputError("section Mesh, entry 'File': there is no file '" + file +
@@ -159,7 +160,7 @@ CoarseMesh read_gmsh(const std::string& file, const std::map<std::string, double
     set_parameters(file, parameters);
     open(file);
   }
-  generate(file, dim);
+  generate(file, refinements, dim);
 
   CoarseMesh mesh;
   std::vector<std::size_t> tags;

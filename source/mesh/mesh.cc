@@ -69,6 +69,9 @@ void Mesh<dim>::declare(dealii::ParameterHandler& prm)
   prm.add_parameter("Parameters", parameters,
                     "Values for the geometry's parameters, as `L1: 5, n1: 2`.",
                     Map(Anything(), Double(), 0, 100));
+  prm.add_parameter("Refinements", refinements,
+                    "How often every cell is halved in each direction after meshing.",
+                    Integer(0, 20));
   prm.add_parameter("Imperfection", imperfection,
                     "Amplitude in mm of the displacement of the vertices before the calculation "
                     "starts, so that the body leaves an unstable straight path.",
@@ -83,7 +86,8 @@ template <int dim>
 void Mesh<dim>::read(const std::string& folder)
 {
   CoarseMesh coarse;
-  on_rank_0(tria.get_communicator(), [&]() { coarse = read_gmsh(path(folder), parameters, dim); });
+  on_rank_0(tria.get_communicator(),
+            [&]() { coarse = read_gmsh(path(folder), parameters, refinements, dim); });
   coarse = dealii::Utilities::MPI::broadcast(tria.get_communicator(), coarse);
   create_triangulation(coarse);
   find_entities(coarse);

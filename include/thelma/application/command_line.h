@@ -30,6 +30,7 @@ struct CommandLine {
   std::vector<Override> overrides;
   std::vector<Sweep> sweeps;
   unsigned int ranks_per_case = 1;
+  bool estimates = false; ///< of the mesh's error
 };
 
 } // namespace thelma

@@ -34,10 +34,11 @@ struct CoarseMesh {
   }
 };
 
-/// Mesh the geometry @p file (.geo with @p parameters, or .msh) inside this process.
+/// Mesh the geometry @p file (.geo with @p parameters, or .msh) inside this process, then split
+/// every cell in halves along each direction @p refinements times.
 /// @p dim 2 wants quadrilaterals, 3 hexahedra. Throws InputError when the file is missing, a
 /// parameter is unknown, or a region has other cells or no name. To be called by one rank.
 CoarseMesh read_gmsh(const std::string& file, const std::map<std::string, double>& parameters,
-                     int dim);
+                     unsigned int refinements, int dim);
 
 } // namespace thelma

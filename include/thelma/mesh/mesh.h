@@ -62,6 +62,7 @@ private:
 
   std::string file;
   std::map<std::string, double> parameters;
+  unsigned int refinements = 0;
   double imperfection = 0.; ///< mm
   std::vector<std::string> imperfection_shape;
   dealii::parallel::shared::Triangulation<dim> tria;
