@@ -69,6 +69,8 @@ void BoundaryConditions<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim
   for (const Values* values : {&fixed_dofs, &driven_dofs, &heated_dofs})
     for (const auto& entry : *values)
       homogeneous.add_line(entry.first);
+  for (const auto& pair : layout.duplicates())
+    homogeneous.add_line(pair.first);
   homogeneous.close();
 }
 
@@ -156,11 +158,11 @@ dealii::types::global_dof_index BoundaryConditions<dim>::n_free(const FieldLayou
   dealii::types::global_dof_index begin = 0;
   for (unsigned int b = 0; b < layout.block(field); ++b)
     begin += layout.owned()[b].size();
-  const dealii::types::global_dof_index end = begin + layout.n_dofs(field);
+  const dealii::types::global_dof_index end = begin + layout.owned()[layout.block(field)].size();
   dealii::types::global_dof_index constrained = 0;
   for (const auto& line : homogeneous.get_lines())
     constrained += line.index >= begin && line.index < end;
-  return layout.n_dofs(field) - constrained;
+  return end - begin - constrained;
 }
 
 template class BoundaryConditions<2>;

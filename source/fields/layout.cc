@@ -1,5 +1,6 @@
 #include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
+#include <thelma/fields/duplicates.h>
 #include <thelma/fields/layout.h>
 
 #include <deal.II/dofs/dof_renumbering.h>
@@ -117,6 +118,11 @@ void FieldLayout<dim>::number_blockwise()
   const dealii::IndexSet owned = dofs.locally_owned_dofs();
   dealii::IndexSet active;
   dealii::DoFTools::extract_locally_active_dofs(dofs, active);
+  if (elements.size() > 1)
+    stand_ins = duplicate_dofs(dofs, polynomial_degree, first_component(Field::potential));
+  for (const auto& [duplicate, original] : stand_ins)
+    if (active.is_element(duplicate))
+      active.add_index(original);
   dealii::types::global_dof_index begin = 0;
   for (const auto size : sizes) {
     owned_dofs.push_back(owned.get_view(begin, begin + size));
@@ -141,8 +147,7 @@ void FieldLayout<dim>::collect_cells(const Mesh<dim>& mesh, const MaterialLibrar
       cell.iterator = iterator;
       cell.material = &materials.of_region(mesh.region_of(iterator));
       cell.has_potential = has(Field::potential) && fe_index == 0;
-      indices.resize(iterator->get_fe().dofs_per_cell);
-      iterator->get_dof_indices(indices);
+      unknowns(iterator, indices);
       for (const int i : position[fe_index])
         if (i >= 0)
           cell.dofs.push_back(indices[i]);
@@ -153,6 +158,36 @@ void FieldLayout<dim>::collect_cells(const Mesh<dim>& mesh, const MaterialLibrar
       }
       own_cells.push_back(std::move(cell));
     }
+}
+
+template <int dim>
+void FieldLayout<dim>::unknowns(const typename dealii::DoFHandler<dim>::active_cell_iterator& cell,
+                                std::vector<dealii::types::global_dof_index>& indices) const
+{
+  indices.resize(cell->get_fe().dofs_per_cell);
+  cell->get_dof_indices(indices);
+  for (auto& index : indices)
+    if (const auto found = stand_ins.find(index); found != stand_ins.end())
+      index = found->second;
+}
+
+template <int dim>
+void FieldLayout<dim>::complete(BlockVector& x) const
+{
+  const dealii::IndexSet owned = dofs.locally_owned_dofs();
+  for (const auto& [duplicate, original] : stand_ins)
+    if (owned.is_element(duplicate))
+      x(duplicate) = x(original);
+  x.update_ghost_values();
+}
+
+template <int dim>
+dealii::types::global_dof_index FieldLayout<dim>::n_dofs(const Field field) const
+{
+  const unsigned int b = block(field);
+  return owned_dofs[b].size() -
+         std::count_if(stand_ins.begin(), stand_ins.end(),
+                       [&](const auto& pair) { return block_of_dof(pair.first) == b; });
 }
 
 template <int dim>

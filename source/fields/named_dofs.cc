@@ -40,8 +40,7 @@ dofs_on(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string
   for (const auto& [entity, vertices] : entities) {
     const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
         &mesh.triangulation(), entity->level(), entity->index(), &layout.dof_handler());
-    indices.resize(cell->get_fe().dofs_per_cell);
-    cell->get_dof_indices(indices);
+    layout.unknowns(cell, indices);
     for (unsigned int a = 0; a < points.size(); ++a)
       if (lies_on<dim>(points[a], vertices))
         if (const auto i = layout.local_dof(cell->active_fe_index(), a, component))

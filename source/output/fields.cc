@@ -134,9 +134,11 @@ void FieldWriter<dim>::write(const Scene<dim>& scene, const std::string& folder,
   std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation> kinds;
   describe(scene.layout, names, kinds);
   const PointQuantities<dim> quantities(scene, scene.materials);
+  BlockVector x = scene.state.x;
+  scene.layout.complete(x);
   dealii::DataOut<dim> out;
-  out.add_data_vector(scene.layout.dof_handler(), scene.state.x, names, kinds);
-  out.add_data_vector(scene.layout.dof_handler(), scene.state.x, quantities);
+  out.add_data_vector(scene.layout.dof_handler(), x, names, kinds);
+  out.add_data_vector(scene.layout.dof_handler(), x, quantities);
   out.build_patches(scene.layout.degree());
   const std::string file =
       out.write_vtu_with_pvtu_record(folder + "/", "fields", step, scene.layout.communicator(), 4);

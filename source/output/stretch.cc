@@ -31,8 +31,7 @@ struct SurfaceMean {
       const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
           &scene.mesh.triangulation(), entity.cell->level(), entity.cell->index(),
           &scene.layout.dof_handler());
-      dofs.resize(cell->get_fe().dofs_per_cell);
-      cell->get_dof_indices(dofs);
+      scene.layout.unknowns(cell, dofs);
       for (const unsigned int q : values.quadrature_point_indices()) {
         area += values.JxW(q);
         moment += values.JxW(q) * values.quadrature_point(q)[component];

@@ -9,6 +9,7 @@
 #include <deal.II/hp/fe_collection.h>
 #include <deal.II/lac/la_parallel_block_vector.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,10 +66,22 @@ public:
   /// One index set per block.
   const std::vector<dealii::IndexSet>& owned() const { return owned_dofs; }
   const std::vector<dealii::IndexSet>& relevant() const { return relevant_dofs; }
-  dealii::types::global_dof_index n_dofs(Field field) const
+  dealii::types::global_dof_index n_dofs(Field field) const;
+
+  /// Entries of the vectors that are not used, with the unknown that stands for them.
+  const std::map<dealii::types::global_dof_index, dealii::types::global_dof_index>&
+  duplicates() const
   {
-    return owned_dofs[block(field)].size();
+    return stand_ins;
   }
+
+  /// The unknowns of a cell in the order of its element.
+  void unknowns(const typename dealii::DoFHandler<dim>::active_cell_iterator& cell,
+                std::vector<dealii::types::global_dof_index>& indices) const;
+
+  /// Give the unused owned entries of @p x the values that stand for them, for whoever reads the
+  /// DoFHandler.
+  void complete(BlockVector& x) const;
 
   /// A zero vector whose ghost entries are those of this rank's cells.
   BlockVector new_vector() const;
@@ -101,6 +114,7 @@ private:
   dealii::hp::FECollection<dim> elements; ///< 0: every field; 1: no potential
   dealii::DoFHandler<dim> dofs;
   std::vector<std::vector<int>> position; ///< [fe_index][a * n_components + c], -1 if absent
+  std::map<dealii::types::global_dof_index, dealii::types::global_dof_index> stand_ins;
   std::vector<dealii::IndexSet> owned_dofs, relevant_dofs;
   std::vector<Cell<dim>> own_cells;
 };
