@@ -43,6 +43,8 @@ void TangentMatrix<dim>::make_pattern(const FieldLayout<dim>& layout)
         if (couples(cell, i, j))
           pattern.add(cell.dofs[i], cell.dofs[j]);
     }
+  for (const auto& line : constraints->get_lines())
+    pattern.add(line.index, line.index);
   dealii::IndexSet relevant(layout.dof_handler().n_dofs());
   dealii::types::global_dof_index begin = 0;
   for (const dealii::IndexSet& block : layout.relevant()) {
@@ -86,6 +88,9 @@ void TangentMatrix<dim>::find_positions(const FieldLayout<dim>& layout)
     }
 
   std::set<double*> diagonals;
+  for (const auto& line : constraints->get_lines())
+    if (owned.is_element(line.index))
+      diagonals.insert(entry(line.index, line.index));
   positions.clear();
   blocks.clear();
   for (const Cell<dim>& cell : layout.cells()) {
