@@ -142,7 +142,7 @@ TEST(NewtonAlongACurve, ResidualsFallQuadraticallyInEveryStep)
   Newton newton;
   dealii::ParameterHandler prm;
   newton.declare(prm);
-  prm.parse_input_from_string("subsection Newton\n set Reuse below = 0\nend\n");
+  prm.parse_input_from_string("subsection Newton\n set Reuse tangent = false\nend\n");
   for (const double voltage : {2., 5., 9., 12., 15., 18., 20., 22., 23., 24., 25., 25.5, 25.8}) {
     scene.conditions.apply(voltage, 293., 1., scene.state.x);
     const std::vector<double> r = newton.solve(scene.system).residuals;
