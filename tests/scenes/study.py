@@ -30,7 +30,7 @@ class Study:
 
     def __init__(self, program, folder):
         self.program = program
-        self.folder = Path(folder)
+        self.folder = Path(folder) / "copy"  # whose neighbours the scene cannot mean by ../
         for name, kept in (("prm", "scenes"), ("meshes", "meshes")):
             shutil.copytree(program.source / name, self.folder / kept)
         (self.folder / "all.study").write_text(STUDY)
