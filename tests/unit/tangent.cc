@@ -149,7 +149,8 @@ TEST(NewtonAlongACurve, ResidualsFallQuadraticallyInEveryStep)
     const std::size_t n = r.size();
     ASSERT_GE(n, 3u);
     ASSERT_LT(r[n - 1], 1e-10) << voltage << " kV";
-    for (const std::size_t k : {n - 2, n - 1})
+    // The first correction is no evidence: it starts from a potential that is zero inside.
+    for (std::size_t k = std::max<std::size_t>(2, n - 2); k < n; ++k)
       EXPECT_LT(r[k], std::max(100. * r[k - 1] * r[k - 1], 1e-12)) << voltage << " kV";
   }
 }
