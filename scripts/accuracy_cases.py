@@ -1,4 +1,4 @@
-"""What scripts/accuracy runs: scenes, meshes, targets, references, and the peer's published times."""
+"""What scripts/accuracy runs: scenes, meshes, targets, references, the peer's published times."""
 
 import csv
 import math
@@ -147,7 +147,7 @@ def plan(elements, quick):
     return fields
 
 
-def extrapolated(x, xs, ys, points=10):
+def interpolated(x, xs, ys, points=10):
     """The polynomial through the nearest points, at x."""
     nearest = sorted(range(len(xs)), key=lambda i: abs(xs[i] - x))[:points]
     return sum(ys[i] * math.prod((x - xs[j]) / (xs[i] - xs[j]) for j in nearest if j != i)
@@ -165,7 +165,7 @@ def exact_mid_rotation(e, theta=353.0, alpha=1.8e-4):
     squares = [float(row["e"]) ** 2 for row in rows]
     ratios = [float(row["curvature_times_layer_thickness_rad"]) / square
               for row, square in zip(rows, squares)]
-    return math.degrees(extrapolated(e * e, squares, ratios) * e * e / LAYER * LENGTH / 2)
+    return math.degrees(interpolated(e * e, squares, ratios) * e * e / LAYER * LENGTH / 2)
 
 
 def reference(scene, target):

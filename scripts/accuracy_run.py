@@ -44,8 +44,8 @@ class Program:
         environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
         with tempfile.TemporaryFile("w+") as text:
             process = subprocess.Popen(
-                ["timeout", str(PATIENCE), *self.command(arguments, ranks)], cwd=ROOT,
-                env=environment, stdout=text, stderr=subprocess.STDOUT)
+                ["timeout", "--foreground", str(PATIENCE), *self.command(arguments, ranks)],
+                cwd=ROOT, env=environment, stdout=text, stderr=subprocess.STDOUT)
             _, status, usage = os.wait4(process.pid, 0)
             process.returncode = os.waitstatus_to_exitcode(status)
             text.seek(0)
