@@ -2,8 +2,8 @@
 
 A bilayer held at its sides bends into a circle, F = diag(x'(X_1), 1, t_0 + kappa x(X_1)) with
 x(0) = 0 (doc/theory.md, "Bending"). Lengths are counted in thicknesses of a layer: the active layer
-is 0 < X_1 < 1, the passive one 1 < X_1 < 2. With lambda_r = x', lambda_t = t_0 + kappa x and stresses
-in units of mu(theta), the state is the stationary point of
+is 0 < X_1 < 1, the passive one 1 < X_1 < 2. With lambda_r = x', lambda_t = t_0 + kappa x and
+stresses in units of mu(theta), the state is the stationary point of
 
     Pi = int_0^2 W dX_1 - e^2 / (2 S),   S = int_0^1 lambda_r/lambda_t dX_1,
     W = f [(s^2 (lambda_r^2 + lambda_t^2 + 1) - 3 - 2 j)/2 + (K/mu) j^2/2],
