@@ -36,7 +36,7 @@ class Body:
         sign[normal] = -1
         points, fields = self.points * sign, {**self.fields, "u": self.u * sign}
         points[:, normal] += 2 * offset
-        return Body(points, self.cells, fields)
+        return Body(points, np.roll(self.cells, 4, axis=1), fields)  # bottom and top swapped
 
     def grid(self, deformed=True):
         """The vtkUnstructuredGrid of the body, with its fields and u1, u2, u3."""

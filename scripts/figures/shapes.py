@@ -145,7 +145,7 @@ def two_layers(state):
 
 def pump_rows(folder):
     """Title -> states: the paper's element, then the converged one for every expansion."""
-    rows = {"paper's element": load_states(folder / "figures/buckling_pump")}
+    rows = {r"paper's element, $\alpha = 0$": load_states(folder / "figures/buckling_pump")}
     for state in load_states(folder / "figures/buckling_pump_quarter"):
         state.body = whole(state.body)
         alpha = plotting.expansion_title(state.case.material().alpha).split(", ")[-1]
@@ -169,7 +169,8 @@ def pump(folder, path):
                     if not edges:
                         scene.add_edges(body.grid(), 0.6, feature_angle=50)
                 pictures[-1].append(scene.picture(14))
-            titles.append([f"$e = {state.row['e']:.3g}$" for state in row])
+            titles.append([f"$e = {state.row['e']:.3g}$"
+                           + (", last state" if state.case.exit_code else "") for state in row])
     figure, axes = sheet(pictures, titles, list(rows))
     bar(figure, axes, BOTH_WAYS, scale, r"$u_1$  (mm)")
     plotting.save(figure, path)
