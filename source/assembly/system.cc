@@ -139,7 +139,7 @@ LinearReport System<dim>::linear_solve(const bool reuse)
 {
   base = state.x;
   internal_base = state.internal;
-  LinearReport report{true, "", 0};
+  LinearReport report{true, ""};
   if (!reuse) {
     assemble_tangent();
     const auto timer = timings.measure("factorisation");

@@ -107,13 +107,15 @@ LinearReport Mumps::factorise(const dealii::TrilinosWrappers::BlockSparseMatrix&
 LinearReport Mumps::outcome() const
 {
   const int code = mumps.infog[0];
-  if (code >= 0)
-    return {true, "", mumps.infog[11]};
-  return {false,
-          code == -10 ? "the tangent is singular"
-                      : "MUMPS failed with INFOG(1) = " + std::to_string(code) +
-                            ", INFOG(2) = " + std::to_string(mumps.infog[1]),
-          0};
+  if (code >= 0) {
+    // Assembly and factorisation against residual and back substitution, fitted to systems of 400
+    // to 23 000 unknowns: 2 for small ones, 10 at 8 million entries of the factor.
+    const double entries = mumps.infog[28] > 0 ? mumps.infog[28] : -1e6 * mumps.infog[28];
+    return {true, "", mumps.infog[11], 2. + mumps.rinfog[0] / (72. * entries)};
+  }
+  return {false, code == -10 ? "the tangent is singular"
+                             : "MUMPS failed with INFOG(1) = " + std::to_string(code) +
+                                   ", INFOG(2) = " + std::to_string(mumps.infog[1])};
 }
 
 void Mumps::collect_layout(const dealii::LinearAlgebra::distributed::BlockVector<double>& vector)

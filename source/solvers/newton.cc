@@ -1,6 +1,8 @@
 #include <thelma/base/parameters.h>
 #include <thelma/solvers/newton.h>
 
+#include <cmath>
+
 namespace thelma
 {
 
@@ -12,13 +14,21 @@ void Newton::declare(dealii::ParameterHandler& prm)
                     "Scaled residual at which a step has converged; dimensionless: residual "
                     "stress over shear modulus.",
                     Double(1e-14, 1.));
-  prm.add_parameter("Reuse below", reuse_below,
-                    "The tangent serves for another iteration when the residual fell below this "
-                    "part of the one before; 0: a new tangent in every iteration.",
-                    Double(0., 0.5));
+  prm.add_parameter("Reuse tangent", reuses,
+                    "Whether a factorised tangent serves for further iterations while that is "
+                    "cheaper than a new one.",
+                    Bool());
   prm.add_parameter("Iterations", max_iterations,
                     "After so many iterations a load step counts as failed and is cut.",
                     Integer(1, 1000));
+}
+
+bool Newton::worth_reusing(const double residual, const double contraction, const double cost) const
+{
+  // Slower, the path of the iterates bends: soft directions return in the stiff ones.
+  constexpr double steady = 1e-3;
+  return reuses && contraction < steady &&
+         std::log(residual / tolerance) < cost * std::log(1. / contraction);
 }
 
 NewtonReport Newton::solve(NonlinearSystem& system) const
@@ -37,6 +47,7 @@ NewtonReport Newton::solve(NonlinearSystem& system) const
     return fail("det F <= 0 at the predicted state");
 
   bool reuse = false;
+  double cost = 1.;
   // At least one iteration, so that every accepted state comes with a factorised tangent.
   while (!report.converged) {
     if (report.iterations == max_iterations)
@@ -47,6 +58,7 @@ NewtonReport Newton::solve(NonlinearSystem& system) const
     if (!reuse) {
       report.negative_pivots = linear.negative_pivots;
       ++report.factorisations;
+      cost = linear.cost;
     }
 
     double step = 1.;
@@ -59,7 +71,8 @@ NewtonReport Newton::solve(NonlinearSystem& system) const
         break;
     }
     ++report.iterations;
-    reuse = step == 1. && residual.norm < reuse_below * report.residuals.back();
+    reuse =
+        step == 1. && worth_reusing(residual.norm, residual.norm / report.residuals.back(), cost);
     report.residuals.push_back(residual.norm);
     report.min_det_F = residual.min_det_F;
     if (residual.norm > divergence)

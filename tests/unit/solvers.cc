@@ -66,7 +66,7 @@ struct Exponential : NonlinearSystem {
     if (!reuse)
       slope = std::exp(x);
     correction = -(std::exp(x) - target) / slope;
-    return {true, "", 3};
+    return {true, "", 3, 5.};
   }
   void move_to(const double step) override { x = base + step * correction; }
 

@@ -39,7 +39,7 @@ private:
   DMUMPS_STRUC_C mumps;
   std::vector<int> rows, columns;
   std::vector<double> values;
-  std::vector<const double*> sources; ///< of the values in the matrix
+  std::vector<const double*> sources;                 ///< of the values in the matrix
   std::vector<int> own_indices;                       ///< of this rank's vector entries
   std::vector<int> gathered_indices, counts, offsets; ///< of all ranks', on rank 0
   bool analysed = false, layout_known = false;

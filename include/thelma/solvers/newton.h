@@ -20,6 +20,7 @@ struct LinearReport {
   bool solved;
   std::string reason;            ///< why not
   long long negative_pivots = 0; ///< of a symmetric factorisation
+  double cost = 1.; ///< of this tangent, in iterations that reuse one; a count, not a time
 };
 
 /// What Newton's method needs to know of a nonlinear system.
@@ -42,7 +43,7 @@ public:
 /// Outcome of one nonlinear solve; a failure is a value.
 struct NewtonReport {
   bool converged = false;
-  std::string reason; ///< why not
+  std::string reason;              ///< why not
   unsigned int iterations = 0;     ///< corrections
   unsigned int factorisations = 0; ///< tangents among them
   std::vector<double> residuals;
@@ -53,9 +54,9 @@ struct NewtonReport {
 /// Newton's method. The line search only keeps det F > 0: near incompressibility the residual of
 /// a good step may well grow before it falls.
 ///
-/// While an iteration shrinks the residual by `reuse_below`, the next one takes the same tangent.
-/// That contraction also bounds how far the tangent has moved since, so the count of its negative
-/// pivots still holds.
+/// A tangent serves again as long as the residual falls so fast that the iterations it still takes
+/// cost less than a new one. That contraction also bounds how far the tangent has moved since, so
+/// the count of its negative pivots still holds.
 class Newton
 {
 public:
@@ -63,8 +64,10 @@ public:
   NewtonReport solve(NonlinearSystem& system) const;
 
 private:
+  bool worth_reusing(double residual, double contraction, double cost) const;
+
   double tolerance = 1e-10;
-  double reuse_below = 1e-3;
+  bool reuses = true;
   unsigned int max_iterations = 14;
 };
 

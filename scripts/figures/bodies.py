@@ -1,0 +1,119 @@
+"""Bodies from the program's fields: read, mirrored, given a width."""
+
+import re
+from dataclasses import dataclass
+
+import numpy as np
+import plotting
+import study
+
+try:
+    import vtk
+    from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+except ImportError:
+    raise plotting.PlotError("shapes need VTK for Python; on Debian install python3-vtk9 and use "
+                             "/usr/bin/python3.") from None
+
+CORNERS = {vtk.VTK_QUAD: 4, vtk.VTK_HEXAHEDRON: 8}
+
+
+@dataclass
+class Body:
+    """Hexahedra with displacement and other fields at their corners."""
+
+    points: np.ndarray  # undeformed, (n, 3) in mm
+    cells: np.ndarray  # (m, 8)
+    fields: dict  # name -> (n,) or (n, 3)
+
+    @property
+    def u(self):
+        """Displacement in mm."""
+        return self.fields["u"]
+
+    def mirrored(self, normal, offset=0.0):
+        """Mirror image at the plane x_normal = offset, as a body of its own."""
+        sign = np.ones(3)
+        sign[normal] = -1
+        points, fields = self.points * sign, {**self.fields, "u": self.u * sign}
+        points[:, normal] += 2 * offset
+        return Body(points, np.roll(self.cells, 4, axis=1), fields)  # bottom and top swapped
+
+    def grid(self, deformed=True):
+        """The vtkUnstructuredGrid of the body, with its fields and u1, u2, u3."""
+        points = vtk.vtkPoints()
+        place = self.points + self.u if deformed else self.points
+        points.SetData(numpy_to_vtk(np.ascontiguousarray(place, dtype=float), deep=True))
+        cells = vtk.vtkCellArray()
+        for corners in self.cells:
+            cells.InsertNextCell(8, [int(corner) for corner in corners])
+        grid = vtk.vtkUnstructuredGrid()
+        grid.SetPoints(points)
+        grid.SetCells(vtk.VTK_HEXAHEDRON, cells)
+        components = {f"u{i + 1}": self.u[:, i] for i in range(3)}
+        for name, values in {**self.fields, **components}.items():
+            array = numpy_to_vtk(np.ascontiguousarray(values, dtype=float), deep=True)
+            array.SetName(name)
+            grid.GetPointData().AddArray(array)
+        return grid
+
+    def values(self, name):
+        """A scalar field by name; u1, u2, u3 are components of u."""
+        return self.u[:, int(name[1]) - 1] if name in ("u1", "u2", "u3") else self.fields[name]
+
+
+def together(first, second):
+    """Two bodies as one; common points are shared, so that no seam shows."""
+    cells = np.concatenate([first.cells, second.cells + len(first.points)])
+    fields = {name: np.concatenate([values, second.fields[name]])
+              for name, values in first.fields.items()}
+    return joined(np.concatenate([first.points, second.points]), cells, fields)
+
+
+def last_file(folder):
+    """The newest field file of a run."""
+    text = study.existing(folder / "fields.pvd").read_text()
+    files = re.findall(r'file="([^"]+)"', text)
+    if not files:
+        raise study.StudyError(f"{folder / 'fields.pvd'} names no file.")
+    return study.existing(folder / files[-1])
+
+
+def load(folder, width=None):
+    """The last state of a run. A plane one, of x1 and x3, becomes a body of the given width."""
+    path = last_file(folder)
+    reader = (vtk.vtkXMLPUnstructuredGridReader if path.suffix == ".pvtu"
+              else vtk.vtkXMLUnstructuredGridReader)()
+    reader.SetFileName(str(path))
+    reader.Update()
+    grid = reader.GetOutput()
+    kind = grid.GetCellType(0) if grid.GetNumberOfCells() else None
+    if kind not in CORNERS:
+        raise plotting.PlotError(f"{path} has no quadrilaterals or hexahedra.")
+    cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, CORNERS[kind])
+    data = grid.GetPointData()
+    fields = {data.GetArrayName(i): vtk_to_numpy(data.GetArray(i))
+              for i in range(data.GetNumberOfArrays())}
+    if "u" not in fields:
+        raise plotting.PlotError(f"{path} has no displacement 'u'.")
+    points = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
+    body = joined(points, cells, fields)
+    return extruded(body, width or 1.0) if kind == vtk.VTK_QUAD else body
+
+
+def joined(points, cells, fields):
+    """The program writes the corners of every cell; neighbours shall share them."""
+    _, first, place = np.unique(points.round(5), axis=0, return_index=True, return_inverse=True)
+    return Body(points[first], place.ravel()[cells],
+                {name: values[first].astype(float) for name, values in fields.items()})
+
+
+def extruded(plane, width):
+    """A body of the plane's x1, x3 (its first and second coordinate) and a width along x2."""
+    def sides(values, offset=0.0):
+        side = values[:, [0, 2, 1]]
+        return np.concatenate([side, side + [0.0, offset, 0.0]])
+
+    cells = np.concatenate([plane.cells, plane.cells + len(plane.points)], axis=1)
+    fields = {name: np.concatenate([values, values]) for name, values in plane.fields.items()
+              if values.ndim == 1}
+    return Body(sides(plane.points, width), cells, {**fields, "u": sides(plane.u)})
