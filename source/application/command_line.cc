@@ -121,6 +121,9 @@ CommandLine CommandLine::parse(const std::vector<std::string>& given)
   if (line.estimates && !line.sweeps.empty())
     throw InputError("command line: --estimate is for a single run; leave out --sweep, or sweep "
                      "over Mesh/Refinements");
+  if (line.ranks_per_case > 1 && line.sweeps.empty())
+    throw InputError("command line: --ranks-per-case is for a study; leave it out, a single run "
+                     "shares all ranks, or add --sweep");
   if (line.output.empty())
     line.output = "output/" + std::filesystem::path(line.file).stem().string();
   return line;
