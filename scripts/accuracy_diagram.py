@@ -81,10 +81,12 @@ def legend(figure, style):
 def draw(rows, path):
     """One rank; the seconds of the whole load path."""
     plt.rcParams.update(STYLE)
-    figure, axes = plt.subplots(1, 3, figsize=(10.5, 4.5))
+    panels = [panel for panel in PANELS if solved(rows, *panel[1:])]
+    figure, axes = plt.subplots(1, len(panels), figsize=(max(3.5 * len(panels), 8.5), 4.5), squeeze=False)
+    axes = axes[0]
     figure.subplots_adjust(left=0.07, right=0.985, top=0.93, bottom=0.29, wspace=0.22)
     style = styles(rows)
-    for panel, (title, scene, e) in zip(axes, PANELS):
+    for panel, (title, scene, e) in zip(axes, panels):
         draw_panel(panel, solved(rows, scene, e), style)
         if e == 0.475:
             draw_peers(panel)
