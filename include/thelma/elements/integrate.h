@@ -87,18 +87,6 @@ struct WithoutVolumetric {
   }
 };
 
-/// The volumetric energy alone.
-struct VolumetricOnly {
-  static constexpr bool conducts = false;
-
-  template <typename Derivatives>
-  void add(const Material& material, const PointState<>& state, const Kinematics<>& kin,
-           unsigned int, Derivatives& d) const
-  {
-    add_volumetric(kin, material.thermal.volumetric(kin.J, state.theta), d);
-  }
-};
-
 /// Add the integral of @p part over one cell to its residual or tangent.
 template <typename Fields, typename Part>
 void integrate_fields(const CellPoints<Fields::dim>& points, const CellView<Fields::dim>& view,
