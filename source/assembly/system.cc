@@ -127,11 +127,14 @@ void System<dim>::assemble_tangent()
   const auto timer = timings.measure("tangent");
   CellResult result;
   matrix.clear();
+  int unstable = 0;
   for_each_cell([&](const CellView<dim>& view) {
     formulation->tangent(view, result);
     matrix.add(view.index, view.cell, result.tangent);
+    unstable += result.unstable_inside;
   });
   matrix.finish();
+  unstable_inside = dealii::Utilities::MPI::sum(unstable, layout.communicator());
 }
 
 template <int dim>
@@ -177,13 +180,30 @@ void System<dim>::recover_internal()
 template <int dim>
 void System<dim>::relax_internal()
 {
-  // The dilatation is linear in its residual and settles first, the pressure follows it.
+  constexpr int most = 20; // two where p and t are the only ones
+  constexpr double negligible = 1e-14;
   correction = 0.;
-  for (int pass = 0; pass < 2; ++pass) {
+  double change = 1.;
+  for (int pass = 0; pass < most && change > negligible; ++pass) {
     recover_internal();
-    for (std::size_t i = 0; i < state.internal.size(); ++i)
+    change = 0.;
+    for (std::size_t i = 0; i < state.internal.size(); ++i) {
       state.internal[i] += internal_correction[i];
+      change = std::max(change, std::abs(internal_correction[i]));
+    }
   }
+}
+
+template <int dim>
+Energies System<dim>::energies() const
+{
+  Energies sum;
+  for_each_cell([&](const CellView<dim>& view) {
+    const Energies one = formulation->energies(view);
+    sum.elastic += one.elastic;
+    sum.electric += one.electric;
+  });
+  return sum;
 }
 
 template <int dim>
@@ -203,7 +223,7 @@ long long System<dim>::unstable_directions(const long long negative_pivots) cons
       layout.has(Field::potential)
           ? static_cast<long long>(conditions.n_free(layout, Field::potential))
           : 0;
-  return negative_pivots - expected;
+  return negative_pivots + unstable_inside - expected;
 }
 
 template class System<2>;

@@ -33,6 +33,14 @@ public:
     integrate(CellPoints<dim>(*reduced, view), view, VolumetricOnly(), true, result);
   }
 
+  Energies energies(const CellView<dim>& view) const override
+  {
+    Energies sum;
+    add_energies<WithoutVolumetric>(CellPoints<dim>(*full, view), view, sum);
+    add_energies<VolumetricOnly>(CellPoints<dim>(*reduced, view), view, sum);
+    return sum;
+  }
+
 private:
   std::optional<Integration<dim>> full, reduced;
 };

@@ -26,6 +26,13 @@ public:
     integrate(CellPoints<dim>(*full, view), view, WholeEnergy(), true, result);
   }
 
+  Energies energies(const CellView<dim>& view) const override
+  {
+    Energies sum;
+    add_energies<WholeEnergy>(CellPoints<dim>(*full, view), view, sum);
+    return sum;
+  }
+
 private:
   std::optional<Integration<dim>> full;
 };

@@ -113,7 +113,7 @@ TEST(MaterialsProperties, SymmetricTangent)
   });
 }
 
-/// psi = elastic - electric + psi_t: under voltage the field energy enters with a minus.
+/// psi = elastic + psi_v - electric + psi_t: under voltage the field energy enters with a minus.
 TEST(MaterialsProperties, EnergiesAddUp)
 {
   for_each_law(acrylic, [](const auto& material, const auto& law) {

@@ -42,11 +42,19 @@ PointState<> point_state(const CellView<dim>& view, const Gradients<dim>& gradie
 template <int dim>
 struct CellPoints {
   CellPoints(const Integration<dim>& rule, const CellView<dim>& view)
+      : CellPoints(rule, view, [](unsigned int, Gradients<dim>&) {})
+  {
+  }
+
+  /// @p enhance(q, gradients) sets the gradients of modes that are no shape functions.
+  template <typename Enhance>
+  CellPoints(const Integration<dim>& rule, const CellView<dim>& view, const Enhance& enhance)
       : n_points(rule.basis().n_points), geometry(rule.of_cell(view.index))
   {
     const NodalValues<dim> x(view.x, rule.basis().n_nodes, view.cell.n_components);
     for (unsigned int q = 0; q < n_points; ++q) {
       gradients[q] = Gradients<dim>(rule.basis(), q, geometry[q]);
+      enhance(q, gradients[q]);
       input[q] = point_input(view, x, gradients[q]);
       kinematics[q] = Kinematics<>(input[q].state.F);
       min_det_F = std::min(min_det_F, kinematics[q].J);
@@ -73,6 +81,14 @@ struct WholeEnergy {
     material.evaluate(state, d);
     add_volumetric(kin, material.thermal.volumetric(kin.J, state.theta), d);
   }
+
+  static Energies energies(const Material& material, const PointState<>& state,
+                           const Kinematics<>& kin)
+  {
+    Energies energies = material.energies(state);
+    energies.elastic += material.thermal.volumetric(kin.J, state.theta).psi;
+    return energies;
+  }
 };
 
 /// Everything but the volumetric energy.
@@ -84,6 +100,11 @@ struct WithoutVolumetric {
            Derivatives& d) const
   {
     material.evaluate(state, d);
+  }
+
+  static Energies energies(const Material& material, const PointState<>& state, const Kinematics<>&)
+  {
+    return material.energies(state);
   }
 };
 
@@ -97,7 +118,26 @@ struct VolumetricOnly {
   {
     add_volumetric(kin, material.thermal.volumetric(kin.J, state.theta), d);
   }
+
+  static Energies energies(const Material& material, const PointState<>& state,
+                           const Kinematics<>& kin)
+  {
+    return {material.thermal.volumetric(kin.J, state.theta).psi, 0.};
+  }
 };
+
+/// Add the integral of @p Part's energies over one cell to @p sum.
+template <typename Part, int dim>
+void add_energies(const CellPoints<dim>& points, const CellView<dim>& view, Energies& sum)
+{
+  for (unsigned int q = 0; q < points.n_points; ++q) {
+    const double w = points.geometry[q].JxW;
+    const Energies density =
+        Part::energies(*view.cell.material, points.input[q].state, points.kinematics[q]);
+    sum.elastic += w * density.elastic;
+    sum.electric += w * density.electric;
+  }
+}
 
 /// Add the integral of @p part over one cell to its residual or tangent.
 template <typename Fields, typename Part>
