@@ -43,7 +43,9 @@ void measure(const std::string& mesh, const std::string& supports, const std::st
   const std::size_t n = scene.layout.cells().size();
   const double residual = microseconds_per_cell(n, [&]() { scene.system.residual(); });
   const double tangent = microseconds_per_cell(n, [&]() { scene.system.assemble_tangent(); });
-  const double inside = microseconds_per_cell(n, [&]() { scene.system.relax_internal(); }) / 2.;
+  unsigned int passes = 1;
+  const double inside =
+      microseconds_per_cell(n, [&]() { passes = scene.system.relax_internal(); }) / passes;
   std::printf("%d-D  %-18s Q%d  %5zu cells  residual %7.2f  tangent %7.2f  inside %7.2f\n", dim,
               formulation.c_str(), degree, n, residual, tangent, inside);
 }
@@ -56,6 +58,8 @@ int main(int argc, char** argv)
   std::printf("microseconds per cell, scatter included\n");
   for (const int degree : {1, 2})
     for (const std::string& formulation : formulations<3>().names()) {
+      if (degree == 2 && formulation == "enhanced strain")
+        continue; // for linear elements only
       measure<2>("set File = meshes/bilayer_plane.geo", "x3_min: u3, pin: u1", formulation, degree);
       measure<3>("set File = meshes/bilayer.geo", "x3_min: u3, x2_min: u2, x2_max: u2, pin: u1",
                  formulation, degree);

@@ -178,20 +178,23 @@ void System<dim>::recover_internal()
 }
 
 template <int dim>
-void System<dim>::relax_internal()
+unsigned int System<dim>::relax_internal()
 {
-  constexpr int most = 20; // two where p and t are the only ones
-  constexpr double negligible = 1e-14;
+  constexpr unsigned int most = 20;
+  constexpr double negligible = 1e-13; // of the largest
   correction = 0.;
-  double change = 1.;
-  for (int pass = 0; pass < most && change > negligible; ++pass) {
+  unsigned int passes = 0;
+  for (bool settled = false; passes < most && !settled; ++passes) {
     recover_internal();
-    change = 0.;
+    double change = 0., size = 0.;
     for (std::size_t i = 0; i < state.internal.size(); ++i) {
       state.internal[i] += internal_correction[i];
       change = std::max(change, std::abs(internal_correction[i]));
+      size = std::max(size, std::abs(state.internal[i]));
     }
+    settled = !(change > negligible * size);
   }
+  return passes;
 }
 
 template <int dim>

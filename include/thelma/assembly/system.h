@@ -44,8 +44,8 @@ public:
   template <typename Visitor>
   void for_each_cell(const Visitor& visit) const;
 
-  /// Solve the cells' internal equations at the current nodal values.
-  void relax_internal();
+  /// Solve the cells' internal equations at the current nodal values; returns the number of passes.
+  unsigned int relax_internal();
 
   /// The element formulation, once set up.
   const Formulation<dim>& element() const { return *formulation; }
