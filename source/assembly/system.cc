@@ -41,11 +41,16 @@ void System<dim>::setup()
   state.internal.resize(layout.cells().size() * n_internal);
   for (std::size_t cell = 0; cell < layout.cells().size(); ++cell)
     formulation->start_internal(state.internal.data() + cell * n_internal);
+  internal_residual.assign(state.internal.size(), 0.);
+  eliminations.assign(layout.cells().size() * formulation->n_elimination(), 0.);
   raw_residual = layout.new_vector();
-  correction = layout.new_vector();
-  base = layout.new_vector();
+  base = correction = {layout.new_vector(), state.internal};
   state.x.update_ghost_values();
   compute_scales();
+  std::vector<double> weights;
+  for (const double scale : scales)
+    weights.push_back(std::pow(scale / scales.front(), 2));
+  anderson = Anderson(weights);
 }
 
 template <int dim>
@@ -97,6 +102,8 @@ ResidualReport System<dim>::residual()
     formulation->residual(view, result);
     min_det_F = std::min(min_det_F, result.min_det_F);
     internal_error += result.internal_error;
+    std::copy(result.internal.begin(), result.internal.end(),
+              internal_residual.begin() + view.index * formulation->n_internal());
     layout.scatter(view.cell, result.residual, raw_residual);
   });
   raw_residual.compress(dealii::VectorOperation::add);
@@ -132,6 +139,7 @@ void System<dim>::assemble_tangent()
     formulation->tangent(view, result);
     matrix.add(view.index, view.cell, result.tangent);
     unstable += result.unstable_inside;
+    keep_elimination(view.index, result);
   });
   matrix.finish();
   unstable_inside = dealii::Utilities::MPI::sum(unstable, layout.communicator());
@@ -140,61 +148,100 @@ void System<dim>::assemble_tangent()
 template <int dim>
 LinearReport System<dim>::linear_solve(const bool reuse)
 {
-  base = state.x;
-  internal_base = state.internal;
+  base.nodal = state.x;
+  base.internal = state.internal;
   LinearReport report{true, ""};
   if (!reuse) {
     assemble_tangent();
+    anderson.forget();
     const auto timer = timings.measure("factorisation");
     report = solver->factorise(matrix.matrix());
     if (!report.solved)
       return report;
   }
   const auto timer = timings.measure("linear solve");
-  correction.zero_out_ghost_values();
-  correction = raw_residual;
-  correction *= -1.;
-  conditions.constraints().set_zero(correction);
-  solver->solve(correction);
-  conditions.constraints().set_zero(correction);
+  BlockVector& x = correction.nodal;
+  x.zero_out_ghost_values();
+  x = raw_residual;
+  eliminate_internal(x);
+  x *= -1.;
+  conditions.constraints().set_zero(x);
+  solver->solve(x);
+  conditions.constraints().set_zero(x);
   recover_internal();
+  anderson.accelerate(base, correction);
   return report;
+}
+
+template <int dim>
+void System<dim>::keep_elimination(const std::size_t cell, const CellResult& result)
+{
+  std::copy(result.elimination.begin(), result.elimination.end(),
+            eliminations.begin() + cell * formulation->n_elimination());
+}
+
+template <int dim>
+Elimination<dim> System<dim>::elimination(const std::size_t cell) const
+{
+  return {cell, layout.cells()[cell].n_components,
+          eliminations.data() + cell * formulation->n_elimination(),
+          internal_residual.data() + cell * formulation->n_internal()};
+}
+
+template <int dim>
+void System<dim>::eliminate_internal(BlockVector& nodal) const
+{
+  if (formulation->n_internal() == 0)
+    return;
+  std::vector<double> values;
+  for (std::size_t index = 0; index < layout.cells().size(); ++index) {
+    const Cell<dim>& cell = layout.cells()[index];
+    values.assign(cell.dofs.size(), 0.);
+    formulation->eliminate(elimination(index), values.data());
+    layout.scatter(cell, values, nodal);
+  }
+  nodal.compress(dealii::VectorOperation::add);
 }
 
 template <int dim>
 void System<dim>::recover_internal()
 {
   const unsigned int n_internal = formulation->n_internal();
-  internal_correction.resize(state.internal.size());
   if (n_internal == 0)
     return;
   std::vector<double> dx;
-  correction.update_ghost_values();
-  for_each_cell([&](const CellView<dim>& view) {
-    layout.gather(view.cell, correction, dx);
-    formulation->recover(view, dx.data(), internal_correction.data() + view.index * n_internal);
-  });
-  correction.zero_out_ghost_values();
+  correction.nodal.update_ghost_values();
+  for (std::size_t index = 0; index < layout.cells().size(); ++index) {
+    layout.gather(layout.cells()[index], correction.nodal, dx);
+    formulation->recover(elimination(index), dx.data(),
+                         correction.internal.data() + index * n_internal);
+  }
+  correction.nodal.zero_out_ghost_values();
 }
 
 template <int dim>
-unsigned int System<dim>::relax_internal()
+void System<dim>::relax_internal()
 {
-  constexpr unsigned int most = 20;
+  constexpr int most = 20;
   constexpr double negligible = 1e-13; // of the largest
-  correction = 0.;
-  unsigned int passes = 0;
-  for (bool settled = false; passes < most && !settled; ++passes) {
+  CellResult result;
+  correction.nodal = 0.;
+  bool settled = false;
+  for (int pass = 0; pass < most && !settled; ++pass) {
+    residual();
+    for_each_cell([&](const CellView<dim>& view) {
+      formulation->tangent(view, result);
+      keep_elimination(view.index, result);
+    });
     recover_internal();
     double change = 0., size = 0.;
     for (std::size_t i = 0; i < state.internal.size(); ++i) {
-      state.internal[i] += internal_correction[i];
-      change = std::max(change, std::abs(internal_correction[i]));
+      state.internal[i] += correction.internal[i];
+      change = std::max(change, std::abs(correction.internal[i]));
       size = std::max(size, std::abs(state.internal[i]));
     }
     settled = !(change > negligible * size);
   }
-  return passes;
 }
 
 template <int dim>
@@ -212,11 +259,11 @@ Energies System<dim>::energies() const
 template <int dim>
 void System<dim>::move_to(const double step)
 {
-  state.x = base;
-  state.x.add(step, correction);
+  state.x = base.nodal;
+  state.x.add(step, correction.nodal);
   state.x.update_ghost_values();
   for (std::size_t i = 0; i < state.internal.size(); ++i)
-    state.internal[i] = internal_base[i] + step * internal_correction[i];
+    state.internal[i] = base.internal[i] + step * correction.internal[i];
 }
 
 template <int dim>

@@ -28,9 +28,12 @@ public:
 
   Energies energies(const CellView<dim>& view) const override
   {
-    Energies sum;
-    add_energies<WholeEnergy>(CellPoints<dim>(*full, view), view, sum);
-    return sum;
+    const auto density = [](const Material& material, const PointState<>& state) {
+      Energies one = material.energies(state);
+      one.elastic += material.thermal.volumetric(Kinematics<>(state.F).J, state.theta).psi;
+      return one;
+    };
+    return integral(CellPoints<dim>(*full, view), view, density);
   }
 
 private:

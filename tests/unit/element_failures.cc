@@ -22,7 +22,8 @@ std::string square(const std::string& formulation, const int degree, const int n
                    const std::string& fixed)
 {
   const std::string cells = std::to_string(n);
-  return "subsection Mesh\n set File = meshes/bilayer_plane.geo\n set Parameters = L: 2, H: 2, n1: " +
+  return "subsection Mesh\n set File = meshes/bilayer_plane.geo\n set Parameters = L: 2, H: 2, "
+         "n1: " +
          cells + ", n3: " + cells +
          "\nend\nsubsection Regions\n set Materials = active: elastomer, passive: elastomer\n"
          " set Passive = active, passive\nend\nsubsection Discretisation\n set Degree = " +
@@ -48,8 +49,8 @@ void displace(TestScene<2>& scene,
   scene.state.x.update_ghost_values();
 }
 
-/// The stretch along X1 that leaves the sides without force when the square is pressed to @p stretch
-/// along X3: mu (l - 1/l) + K ln(l stretch) / l = 0.
+/// The stretch along X1 that leaves the sides without force when the square is pressed to @p
+/// stretch along X3: mu (l - 1/l) + K ln(l stretch) / l = 0.
 double free_stretch(const double stretch)
 {
   double l = 1. / stretch;
@@ -73,8 +74,7 @@ long long unstable_directions(TestScene<2>& scene, const double stretch)
   EXPECT_LT(scene.system.residual().norm, 1e-9);
   scene.system.assemble_tangent();
   Mumps solver(MPI_COMM_WORLD, true);
-  return scene.system.unstable_directions(
-      solver.factorise(scene.system.tangent()).negative_pivots);
+  return scene.system.unstable_directions(solver.factorise(scene.system.tangent()).negative_pivots);
 }
 
 /// The largest stretch below 1 at which the square is unstable, or 0 if there is none above 0.1.
@@ -99,9 +99,12 @@ TEST(ElementFailures, EnhancedStrainHourglassesUnderCompression)
   for (const int n : {2, 4, 8})
     std::printf("enhanced strain, %d x %d cells: unstable below stretch %.4f\n", n, n,
                 critical_stretch("enhanced strain", 1, n));
-  for (const auto& [name, degree] : {std::pair{"mean dilatation", 1}, {"mean dilatation", 2},
-                                     {"selective reduced", 1}, {"selective reduced", 2},
-                                     {"standard", 1}, {"standard", 2}})
+  for (const auto& [name, degree] : {std::pair{"mean dilatation", 1},
+                                     {"mean dilatation", 2},
+                                     {"selective reduced", 1},
+                                     {"selective reduced", 2},
+                                     {"standard", 1},
+                                     {"standard", 2}})
     std::printf("%s, degree %d, 4 x 4 cells: %.4f\n", name, degree,
                 critical_stretch(name, degree, 4));
 }
@@ -134,9 +137,13 @@ std::vector<double> eigenvalues(const std::string& formulation, const int degree
 
 TEST(ElementFailures, NoneHasModesWithoutEnergy)
 {
-  for (const auto& [name, degree] :
-       {std::pair{"enhanced strain", 1}, {"mean dilatation", 1}, {"mean dilatation", 2},
-        {"selective reduced", 1}, {"selective reduced", 2}, {"standard", 1}, {"standard", 2}}) {
+  for (const auto& [name, degree] : {std::pair{"enhanced strain", 1},
+                                     {"mean dilatation", 1},
+                                     {"mean dilatation", 2},
+                                     {"selective reduced", 1},
+                                     {"selective reduced", 2},
+                                     {"standard", 1},
+                                     {"standard", 2}}) {
     const std::vector<double> values = eigenvalues(name, degree);
     std::printf("%s, degree %d: smallest eigenvalue / mu %.4f\n", name, degree, values[0] / mu);
     EXPECT_GT(values[0], 1e-2 * mu) << name;
@@ -243,8 +250,8 @@ TEST(ElementFailures, SoftestModeOfThePapersMesh)
       std::array<double, 3> value;
       for (int i = 0; i < 3; ++i)
         value[i] = v(cell.dofs[a * cell.n_components + i]);
-      nodes[std::make_tuple(int(std::lround(X[0] * 4)), int(std::lround(X[1] * 2)), int(std::lround(X[2])))] =
-          value;
+      nodes[std::make_tuple(int(std::lround(X[0] * 4)), int(std::lround(X[1] * 2)),
+                            int(std::lround(X[2])))] = value;
     }
   for (const auto& [where, value] : nodes)
     for (int i = 0; i < 3; ++i)

@@ -4,6 +4,7 @@
 #include <thelma/base/timings.h>
 #include <thelma/elements/formulation.h>
 #include <thelma/fields/state.h>
+#include <thelma/solvers/anderson.h>
 #include <thelma/solvers/mumps.h>
 #include <thelma/solvers/newton.h>
 
@@ -44,8 +45,8 @@ public:
   template <typename Visitor>
   void for_each_cell(const Visitor& visit) const;
 
-  /// Solve the cells' internal equations at the current nodal values; returns the number of passes.
-  unsigned int relax_internal();
+  /// Solve the cells' internal equations at the current nodal values; the tangent stays.
+  void relax_internal();
 
   /// The element formulation, once set up.
   const Formulation<dim>& element() const { return *formulation; }
@@ -59,8 +60,13 @@ public:
   long long unstable_directions(long long negative_pivots) const;
 
 private:
+  /// Residual with the internal unknowns eliminated, in @p nodal.
+  void eliminate_internal(BlockVector& nodal) const;
+
   /// Correction of the internal unknowns that belongs to the nodal one.
   void recover_internal();
+  Elimination<dim> elimination(std::size_t cell) const;
+  void keep_elimination(std::size_t cell, const CellResult& result);
 
   /// Norms of the nodal forces that a unit stress mu (displacement sqrt(eps mu), heat flux
   /// k * 1 K/mm) exerts: the units of each field's residual.
@@ -78,8 +84,11 @@ private:
   std::vector<double> scales; ///< per block
   double volume = 0.;         ///< mm^dim
   int unstable_inside = 0;    ///< directions in all cells, at the last tangent
-  BlockVector raw_residual, base, correction;
-  std::vector<double> internal_base, internal_correction;
+  BlockVector raw_residual;
+  std::vector<double> internal_residual; ///< of all own cells
+  std::vector<double> eliminations;      ///< of all own cells, of the tangent last assembled
+  Unknowns base, correction;
+  Anderson anderson;
 };
 
 template <int dim>

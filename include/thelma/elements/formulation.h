@@ -27,20 +27,32 @@ struct CellResult {
   {
     residual.assign(with_tangent ? 0 : n_dofs, 0.);
     tangent.assign(with_tangent ? n_dofs * n_dofs : 0, 0.);
+    internal.clear();
+    elimination.clear();
     internal_error = 0.;
     unstable_inside = 0;
     min_det_F = std::numeric_limits<double>::max();
   }
 
-  /// R = dPi/dx, [a][c], with the internal unknowns where their linearised equations put them.
-  std::vector<double> residual;
-  std::vector<double> tangent; ///< dR/dx, row by row, internal unknowns condensed
-  double min_det_F;            ///< if not positive, the rest is meaningless
-  double internal_error;       ///< squared residual of the internal equations, mm^dim
+  std::vector<double> residual;    ///< R = dPi/dx, [a][c]
+  std::vector<double> internal;    ///< residual of the internal equations
+  std::vector<double> tangent;     ///< dR/dx, row by row, internal unknowns condensed
+  std::vector<double> elimination; ///< what condensation and recovery need of this tangent
+  double min_det_F;                ///< if not positive, the rest is meaningless
+  double internal_error;           ///< squared residual of the internal equations, mm^dim
 
   /// Directions of the condensed unknowns alone in which the cell is unstable: the negative pivots
   /// of the assembled tangent do not show them.
   int unstable_inside;
+};
+
+/// The internal unknowns of one cell in a linear system whose tangent may be an older one.
+template <int dim>
+struct Elimination {
+  std::size_t index; ///< position among the rank's own cells
+  unsigned int n_components;
+  const double* kept;     ///< CellResult::elimination of the tangent
+  const double* residual; ///< CellResult::internal at the iterate
 };
 
 /// Residual and tangent of one cell. A new formulation is one file and one line in list.cc.
@@ -60,10 +72,15 @@ public:
   virtual Energies energies(const CellView<dim>& view) const = 0;
 
   /// Internal unknowns per cell are iterates like the nodal ones, but condensed out of each linear
-  /// system; recover() gives their correction once the nodal one, @p dx, is known.
+  /// system: eliminate() adds what they do to the nodal residual, recover() gives their correction
+  /// once the nodal one, @p dx, is known.
   virtual unsigned int n_internal() const { return 0; }
+  virtual unsigned int n_elimination() const { return 0; } ///< size of CellResult::elimination
   virtual void start_internal(double* /*values*/) const {}
-  virtual void recover(const CellView<dim>&, const double* /*dx*/, double* /*correction*/) const {}
+  virtual void eliminate(const Elimination<dim>&, double* /*residual*/) const {}
+  virtual void recover(const Elimination<dim>&, const double* /*dx*/, double* /*correction*/) const
+  {
+  }
 
   /// Make internal values those of an observer who deforms with the cell, so that they can be
   /// extrapolated while the body turns; and the way back.

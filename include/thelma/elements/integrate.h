@@ -70,6 +70,19 @@ struct CellPoints {
   double min_det_F = std::numeric_limits<double>::max();
 };
 
+/// The integral over one cell of @p density(material, point state).
+template <int dim, typename Density>
+Energies integral(const CellPoints<dim>& points, const CellView<dim>& view, const Density& density)
+{
+  Energies sum;
+  for (unsigned int q = 0; q < points.n_points; ++q) {
+    const Energies one = density(*view.cell.material, points.input[q].state);
+    sum.elastic += points.geometry[q].JxW * one.elastic;
+    sum.electric += points.geometry[q].JxW * one.electric;
+  }
+  return sum;
+}
+
 /// Everything the material has.
 struct WholeEnergy {
   static constexpr bool conducts = true;
@@ -80,14 +93,6 @@ struct WholeEnergy {
   {
     material.evaluate(state, d);
     add_volumetric(kin, material.thermal.volumetric(kin.J, state.theta), d);
-  }
-
-  static Energies energies(const Material& material, const PointState<>& state,
-                           const Kinematics<>& kin)
-  {
-    Energies energies = material.energies(state);
-    energies.elastic += material.thermal.volumetric(kin.J, state.theta).psi;
-    return energies;
   }
 };
 
@@ -101,43 +106,7 @@ struct WithoutVolumetric {
   {
     material.evaluate(state, d);
   }
-
-  static Energies energies(const Material& material, const PointState<>& state, const Kinematics<>&)
-  {
-    return material.energies(state);
-  }
 };
-
-/// The volumetric energy alone.
-struct VolumetricOnly {
-  static constexpr bool conducts = false;
-
-  template <typename Derivatives>
-  void add(const Material& material, const PointState<>& state, const Kinematics<>& kin,
-           unsigned int, Derivatives& d) const
-  {
-    add_volumetric(kin, material.thermal.volumetric(kin.J, state.theta), d);
-  }
-
-  static Energies energies(const Material& material, const PointState<>& state,
-                           const Kinematics<>& kin)
-  {
-    return {material.thermal.volumetric(kin.J, state.theta).psi, 0.};
-  }
-};
-
-/// Add the integral of @p Part's energies over one cell to @p sum.
-template <typename Part, int dim>
-void add_energies(const CellPoints<dim>& points, const CellView<dim>& view, Energies& sum)
-{
-  for (unsigned int q = 0; q < points.n_points; ++q) {
-    const double w = points.geometry[q].JxW;
-    const Energies density =
-        Part::energies(*view.cell.material, points.input[q].state, points.kinematics[q]);
-    sum.elastic += w * density.elastic;
-    sum.electric += w * density.electric;
-  }
-}
 
 /// Add the integral of @p part over one cell to its residual or tangent.
 template <typename Fields, typename Part>
