@@ -38,6 +38,7 @@ private:
   void declare();
   void heat();
   void apply_voltage();
+  void leave_rest(const std::function<void(double)>& prescribe);
   bool follow(Stepper& steps, LoadSymmetry symmetry, const std::function<void(double)>& prescribe,
               const Record& record);
   NewtonReport solve() const;

@@ -4,7 +4,6 @@
 #include <thelma/base/timings.h>
 #include <thelma/elements/formulation.h>
 #include <thelma/fields/state.h>
-#include <thelma/solvers/anderson.h>
 #include <thelma/solvers/mumps.h>
 #include <thelma/solvers/newton.h>
 
@@ -27,6 +26,9 @@ public:
 
   /// Build matrix, formulation and solver; the fields and constraints must stand.
   void setup();
+
+  /// Set the internal unknowns to those of the stress-free body at the uniform temperature.
+  void start_internal();
 
   ResidualReport residual() override;
   LinearReport linear_solve(bool reuse) override;
@@ -84,11 +86,10 @@ private:
   std::vector<double> scales; ///< per block
   double volume = 0.;         ///< mm^dim
   int unstable_inside = 0;    ///< directions in all cells, at the last tangent
-  BlockVector raw_residual;
+  BlockVector raw_residual, base, correction;
+  std::vector<double> internal_base, internal_correction;
   std::vector<double> internal_residual; ///< of all own cells
   std::vector<double> eliminations;      ///< of all own cells, of the tangent last assembled
-  Unknowns base, correction;
-  Anderson anderson;
 };
 
 template <int dim>
