@@ -1,11 +1,12 @@
-"""Where each element formulation fails in bending, and the energy it reports.
+"""Where each element formulation fails in the scenes, and the energy it reports.
 
 Usage: elements.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
 
-Truth: the exact circle (tests/reference/bilayer_bending.csv), and the balance of energy: along a
-curve the source does the work d(elastic + electric) = V dQ.
+Truth: the exact circle (tests/reference/bilayer_bending.csv), the exact pull-in of a film, and the
+balance of energy: along a curve the source does the work d(elastic + electric) = V dQ.
 """
 
+import json
 import math
 import tempfile
 from pathlib import Path
@@ -94,6 +95,30 @@ def check_energy(program, folder):
         require(abs(gained / work - 1) < 2e-5, "energy is not conserved")
 
 
+def check_slender_cells(program, folder):
+    """Enhanced cells narrow along a compression hourglass; Q2/P1 says that the body is stable."""
+    for formulation, degree, cells, stable in [("mean dilatation", 2, (2, 4, 14), True),
+                                               ("enhanced strain", 1, (2, 4, 20), True),
+                                               ("enhanced strain", 1, (2, 8, 20), False)]:
+        case = program.run("bending_actuator", folder,
+                           "--set", f"Discretisation/Formulation={formulation}",
+                           "--set", f"Discretisation/Degree={degree}",
+                           "--set", "Mesh/Parameters=W: 2, n1: {}, n2: {}, n3: {}".format(*cells),
+                           "--set", "Loading/Target=0.75", "--set", "Output/Fields=none")
+        unstable = case.curve("unstable_directions")["unstable_directions"][-1]
+        print(f"{formulation}, {cells} cells, 2 mm wide, e = 0.75: {unstable:.0f} unstable")
+        require((unstable == 0) == stable, "stability is not as expected")
+
+
+def check_pull_in(program, folder):
+    """The enhanced element in the homogeneous film, down to a stretch of 0.63."""
+    program.run("planar_actuator", folder, "--set", "Discretisation/Formulation=enhanced strain",
+                "--set", "Output/Fields=none")
+    pull_in = json.loads((folder / "run.json").read_text())["pull_in"]
+    print("planar actuator, enhanced: pull-in", pull_in)
+    require(pull_in["e_below"] < 0.687366 < pull_in["e_above"], "the pull-in is elsewhere")
+
+
 def main():
     program, all_ranks = program_and_ranks(__doc__)
     with tempfile.TemporaryDirectory() as name:
@@ -103,6 +128,8 @@ def main():
         for ranks in all_ranks:
             check_convergence(program, folder, ranks)
         check_energy(program, folder)
+        check_slender_cells(program, folder)
+        check_pull_in(program, folder)
 
 
 main()
