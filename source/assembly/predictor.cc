@@ -68,7 +68,9 @@ void Predictor<dim>::factorise()
 {
   TangentMatrix<dim> matrix;
   matrix.setup(layout, conditions,
-               [](const unsigned int c, const unsigned int d) { return c == d && c < dim; });
+               [](const Cell<dim>&, const unsigned int c, const unsigned int d) {
+                 return c == d && c < dim;
+               });
   matrix.clear();
   std::vector<double> entries;
   for (std::size_t index = 0; index < layout.cells().size(); ++index) {

@@ -11,8 +11,8 @@ namespace thelma
 
 template <int dim>
 System<dim>::System(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
-                    State& state, Timings& timings)
-    : layout(layout), conditions(conditions), state(state), timings(timings)
+                    const NodalHeat<dim>& heat, State& state, Timings& timings)
+    : layout(layout), conditions(conditions), heat(heat), state(state), timings(timings)
 {
 }
 
@@ -30,12 +30,21 @@ void System<dim>::declare(dealii::ParameterHandler& prm)
 }
 
 template <int dim>
-void System<dim>::setup()
+void System<dim>::setup(const Solved fields)
 {
+  solved = fields;
   const auto timer = timings.measure("setup");
   formulation = formulations<dim>().create(formulation_name);
   formulation->setup(layout);
-  matrix.setup(layout, conditions);
+  const bool heated = layout.has(Field::temperature);
+  const auto is_solved = [heated, fields](const Cell<dim>& cell, const unsigned int c) {
+    const bool temperature = heated && c == cell.n_components - 1;
+    return fields == Solved::all || temperature == (fields == Solved::temperature);
+  };
+  matrix.setup(layout, conditions,
+               [is_solved](const Cell<dim>& cell, const unsigned int c, const unsigned int d) {
+                 return is_solved(cell, c) && is_solved(cell, d);
+               });
   solver = std::make_unique<Mumps>(layout.communicator(), is_symmetric());
   const unsigned int n_internal = formulation->n_internal();
   state.internal.resize(layout.cells().size() * n_internal);
@@ -44,8 +53,16 @@ void System<dim>::setup()
   raw_residual = layout.new_vector();
   correction = layout.new_vector();
   base = layout.new_vector();
+  loads = layout.new_vector();
   state.x.update_ghost_values();
   compute_scales();
+}
+
+template <int dim>
+void System<dim>::setup(const Solved fields, const System& other)
+{
+  formulation_name = other.formulation_name;
+  setup(fields);
 }
 
 template <int dim>
@@ -100,12 +117,18 @@ ResidualReport System<dim>::residual()
     layout.scatter(view.cell, result.residual, raw_residual);
   });
   raw_residual.compress(dealii::VectorOperation::add);
+  if (solved != Solved::deformation)
+    heat.add_residual(state, raw_residual);
+  raw_residual -= loads;
+  for (unsigned int b = 0; b < raw_residual.n_blocks(); ++b)
+    if (is_given(b))
+      raw_residual.block(b) = 0.;
 
   const BlockVector residual = free_residual();
   double norm =
       std::sqrt(dealii::Utilities::MPI::sum(internal_error, layout.communicator()) / volume);
   for (unsigned int b = 0; b < residual.n_blocks(); ++b)
-    norm = std::max(norm, residual.block(b).l2_norm() / scales[b]);
+    norm = std::max(norm, residual.block(b).l2_norm() / scale(b));
   min_det_F = dealii::Utilities::MPI::min(min_det_F, layout.communicator());
   if (std::isnan(norm))
     norm = std::numeric_limits<double>::infinity();
@@ -122,6 +145,34 @@ BlockVector System<dim>::free_residual() const
 }
 
 template <int dim>
+bool System<dim>::is_given(const unsigned int block) const
+{
+  const bool temperature =
+      layout.has(Field::temperature) && block == layout.block(Field::temperature);
+  return solved != Solved::all && temperature != (solved == Solved::temperature);
+}
+
+/// A wrong temperature is as bad where it is stored as where it is conducted.
+template <int dim>
+double System<dim>::scale(const unsigned int block) const
+{
+  const bool temperature =
+      layout.has(Field::temperature) && block == layout.block(Field::temperature);
+  return scales[block] + (temperature ? heat.storage_scale(state) : 0.);
+}
+
+template <int dim>
+double System<dim>::heat_inflow() const
+{
+  const auto owned = layout.dof_handler().locally_owned_dofs();
+  double sum = 0.;
+  for (const auto& [unknown, theta] : conditions.heated())
+    if (owned.is_element(unknown))
+      sum += raw_residual(unknown);
+  return dealii::Utilities::MPI::sum(sum, layout.communicator()) + heat.inflow(state);
+}
+
+template <int dim>
 void System<dim>::assemble_tangent()
 {
   const auto timer = timings.measure("tangent");
@@ -132,6 +183,8 @@ void System<dim>::assemble_tangent()
     matrix.add(view.index, view.cell, result.tangent);
   });
   matrix.finish();
+  if (solved != Solved::deformation)
+    heat.add_tangent(state, matrix);
 }
 
 template <int dim>

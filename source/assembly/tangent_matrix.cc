@@ -28,7 +28,7 @@ template <int dim>
 bool TangentMatrix<dim>::couples(const Cell<dim>& cell, const std::size_t i,
                                  const std::size_t j) const
 {
-  return coupling(i % cell.n_components, j % cell.n_components) &&
+  return coupling(cell, i % cell.n_components, j % cell.n_components) &&
          !constraints->is_constrained(cell.dofs[i]) && !constraints->is_constrained(cell.dofs[j]);
 }
 
@@ -156,6 +156,14 @@ void TangentMatrix<dim>::add_row(const Cell<dim>& cell, const std::size_t i, con
       values.push_back(entries[j]);
     }
   tangent.add(cell.dofs[i], columns.size(), columns.data(), values.data(), false);
+}
+
+template <int dim>
+void TangentMatrix<dim>::add_diagonal(const dealii::types::global_dof_index unknown,
+                                      const double value)
+{
+  if (!constraints->is_constrained(unknown))
+    *entry(unknown, unknown) += value;
 }
 
 template <int dim>

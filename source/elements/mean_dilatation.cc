@@ -1,9 +1,9 @@
 #include <thelma/elements/integrate.h>
+#include <thelma/elements/modes.h>
 
 #include <deal.II/lac/full_matrix.h>
 
 #include <array>
-#include <numeric>
 #include <optional>
 
 namespace thelma
@@ -28,45 +28,13 @@ struct GivenPressure {
     constant.p = pressure[q];
     add_volumetric(kin, constant, d);
   }
+
+  void add_entropy_rate(const Material& material, const PointState<>& state,
+                        const PointRates& rates, EntropyRate& out) const
+  {
+    material.add_entropy_rate(state, rates, out);
+  }
 };
-
-/// Coefficients of a pressure or dilatation, and matrices over them; unused ones stay zero.
-using Modes = std::array<double, 4>;
-using ModeMatrix = std::array<Modes, 4>;
-
-Modes operator+(Modes x, const Modes& y)
-{
-  for (std::size_t i = 0; i < x.size(); ++i)
-    x[i] += y[i];
-  return x;
-}
-
-double operator*(const Modes& x, const Modes& y)
-{
-  return std::inner_product(x.begin(), x.end(), y.begin(), 0.);
-}
-
-Modes operator*(const ModeMatrix& A, const Modes& x)
-{
-  return {{A[0] * x, A[1] * x, A[2] * x, A[3] * x}};
-}
-
-/// A B of symmetric matrices.
-ModeMatrix operator*(const ModeMatrix& A, const ModeMatrix& B)
-{
-  ModeMatrix C;
-  for (std::size_t i = 0; i < C.size(); ++i)
-    C[i] = B * A[i];
-  return C;
-}
-
-/// A += w m x m.
-void add_square(const Modes& m, const double w, ModeMatrix& A)
-{
-  for (std::size_t i = 0; i < m.size(); ++i)
-    for (std::size_t j = 0; j < m.size(); ++j)
-      A[i][j] += w * m[i] * m[j];
-}
 
 /// Mean dilatation (theory.md, eq. 21): inside each cell a pressure p and a dilatation t, both
 /// discontinuous polynomials of degree p - 1 (Q1/P0, Q2/P1), in
@@ -111,6 +79,8 @@ public:
       return;
     integrate(points, view, GivenPressure{at_points(local.p + local.pressure_correction())}, false,
               result);
+    if (view.solves_temperature() && view.history)
+      add_volumetric_heat(view, points, local, false, result);
     const double mu = view.cell.material->shear_modulus(view.theta);
     result.internal_error =
         local.R_p * (local.M * local.R_p) + local.R_t * (local.M * local.R_t) / (mu * mu);
@@ -122,7 +92,10 @@ public:
     const CellPoints<dim> points(*rule, view);
     const Local local(*this, view, points);
     integrate(points, view, GivenPressure{at_points(local.p)}, true, result);
-    add_condensed(view, points, local, result.tangent.data());
+    if (view.solves_deformation())
+      add_condensed(view, points, local, result.tangent.data());
+    if (view.solves_temperature() && view.history)
+      add_volumetric_heat(view, points, local, true, result);
   }
 
   void recover(const CellView<dim>& view, const double* dx, double* correction) const override
@@ -158,12 +131,13 @@ private:
     Local(const MeanDilatation& f, const CellView<dim>& view, const CellPoints<dim>& points)
         : M(f.mass_inverse[view.index]), min_det(points.min_det_F)
     {
-      Modes t{};
+      Modes dilatation_modes{};
       std::copy_n(view.internal, f.n_modes, p.begin());
-      std::copy_n(view.internal + f.n_modes, f.n_modes, t.begin());
+      std::copy_n(view.internal + f.n_modes, f.n_modes, dilatation_modes.begin());
       for (unsigned int q = 0; q < points.n_points; ++q) {
         const Modes& m = f.modes[q];
-        const double w = points.geometry[q].JxW, dilatation = m * t;
+        const double w = points.geometry[q].JxW, dilatation = m * dilatation_modes;
+        t[q] = dilatation;
         min_det = std::min(min_det, dilatation);
         if (!(min_det > 0.))
           return;
@@ -184,57 +158,113 @@ private:
     const ModeMatrix& M;
     ModeMatrix H{};
     Modes p{}, R_p{}, R_t{};
-    std::array<double, CellPoints<dim>::max> dp_dtheta{};
+    std::array<double, CellPoints<dim>::max> t{}, dp_dtheta{};
     double min_det;
   };
 
-  /// The pressure answers to dR_p/dx = int m J G Grad N by M H M and to dR_t/dtheta by M.
+  /// Rows over the nodes for each mode, [mode][a].
+  using Rows = std::array<double, 4 * Gradients<dim>::length>;
+
+  /// dR_p/du_c = int m J G Grad N.
+  std::array<Rows, dim> derivatives_of_dilatation(const CellPoints<dim>& points) const
+  {
+    std::array<Rows, dim> B{};
+    for (unsigned int q = 0; q < points.n_points; ++q) {
+      const Kinematics<>& kin = points.kinematics[q];
+      for (int c = 0; c < dim; ++c)
+        for (int J = 0; J < dim; ++J)
+          add_rows(modes[q], points.geometry[q].JxW * kin.J * kin.G[axis<dim>(c)][axis<dim>(J)],
+                   points.gradients[q].g[J].data(), B[c].data());
+    }
+    return B;
+  }
+
+  /// The pressure answers to dR_p/dx by M H M and to dR_t/dtheta by M.
   void add_condensed(const CellView<dim>& view, const CellPoints<dim>& points, const Local& local,
                      double* tangent) const
   {
-    constexpr unsigned int length = Gradients<dim>::length;
-    using Rows = std::array<double, 4 * length>; // [mode][a]
-    const unsigned int stride = rule->basis().stride, n_nodes = rule->basis().n_nodes;
     const int n_c = view.cell.n_components;
-    std::array<Rows, dim + 2> B{}; // of R_p by displacement components; of R_t by the last
-    for (unsigned int q = 0; q < points.n_points; ++q) {
-      const Kinematics<>& kin = points.kinematics[q];
-      const Gradients<dim>& gradients = points.gradients[q];
-      const double w = points.geometry[q].JxW;
-      for (int c = 0; c < dim; ++c)
-        for (int J = 0; J < dim; ++J)
-          add_rows(modes[q], w * kin.J * kin.G[axis<dim>(c)][axis<dim>(J)], gradients.g[J].data(),
-                   stride, B[c].data());
-      if (view.has_temperature)
-        add_rows(modes[q], w * local.dp_dtheta[q], gradients.N, stride, B[n_c - 1].data());
-    }
+    const bool heated = view.solves_temperature();
+    const std::array<Rows, dim> B = derivatives_of_dilatation(points);
+    Rows dR_t{};
+    for (unsigned int q = 0; heated && q < points.n_points; ++q)
+      add_rows(modes[q], points.geometry[q].JxW * local.dp_dtheta[q], points.gradients[q].N,
+               dR_t.data());
 
     const ModeMatrix stiffness = local.M * local.H * local.M;
-    alignas(32) std::array<double, length * length> C;
     for (int c = 0; c < dim; ++c) {
-      std::array<const double*, 4> rows;
-      for (unsigned int i = 0; i < n_modes; ++i)
-        rows[i] = B[c].data() + i * stride;
-      for (int d = view.has_temperature ? 0 : c; d < n_c; ++d) {
-        const bool heat = view.has_temperature && d == n_c - 1;
-        if (d >= dim && !heat)
-          continue;
-        const ModeMatrix& answer = heat ? local.M : stiffness;
-        Rows pressure{};
+      for (int d = heated ? 0 : c; d < dim; ++d)
+        add_product(B[c], stiffness, B[d], view, c, d, !heated && c != d, tangent);
+      if (heated)
+        add_product(B[c], local.M, dR_t, view, c, n_c - 1, false, tangent);
+    }
+  }
+
+  /// Add A^T S B to the block of the components c, d.
+  void add_product(const Rows& A, const ModeMatrix& S, const Rows& B, const CellView<dim>& view,
+                   const int c, const int d, const bool mirrored, double* tangent) const
+  {
+    const unsigned int stride = rule->basis().stride, n_nodes = rule->basis().n_nodes;
+    Rows answer{};
+    std::array<const double*, 4> rows;
+    for (unsigned int i = 0; i < n_modes; ++i) {
+      rows[i] = A.data() + i * stride;
+      for (unsigned int j = 0; j < n_modes; ++j)
+        for (unsigned int b = 0; b < stride; ++b)
+          answer[i * stride + b] += S[i][j] * B[j * stride + b];
+    }
+    alignas(32) std::array<double, Gradients<dim>::length * Gradients<dim>::length> C;
+    multiply(stride, n_modes, rows.data(), answer.data(), n_nodes, C.data());
+    add_block(C.data(), n_nodes, view.cell.n_components, c, d, mirrored, tangent);
+  }
+
+  /// theta h of the volumetric energy at the cell's own dilatation, which answers to R_p and the
+  /// displacements by M.
+  void add_volumetric_heat(const CellView<dim>& view, const CellPoints<dim>& points,
+                           const Local& local, const bool with_tangent, CellResult& result) const
+  {
+    const unsigned int n_nodes = rule->basis().n_nodes, stride = rule->basis().stride;
+    const int n_c = view.cell.n_components, heat = n_c - 1;
+    const CellHistory& history = *view.history;
+    Rows dh_dt{};
+    for (unsigned int q = 0; q < points.n_points; ++q) {
+      const double* shape = points.gradients[q].N;
+      const double w = points.geometry[q].JxW, theta = points.input[q].state.theta;
+      std::array<double, 2> t_past{}, theta_past{};
+      for (std::size_t k = 0; k < history.rates.n_past; ++k) {
         for (unsigned int i = 0; i < n_modes; ++i)
-          for (unsigned int j = 0; j < n_modes; ++j)
-            for (unsigned int b = 0; b < stride; ++b)
-              pressure[i * stride + b] += answer[i][j] * B[d][j * stride + b];
-        multiply(stride, n_modes, rows.data(), pressure.data(), n_nodes, C.data());
-        add_block(C.data(), n_nodes, n_c, c, d, !view.has_temperature && c != d, tangent);
+          t_past[k] += modes[q][i] * history.internal[k][n_modes + i];
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          theta_past[k] += shape[a] * history.x[k][a * n_c + heat];
       }
+      const VolumetricEntropyRate rate(view.cell.material->thermal, history.rates, local.t[q],
+                                       theta, t_past, theta_past);
+      add_rows(modes[q], w * theta * rate.d_dt, shape, dh_dt.data());
+      if (!with_tangent)
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          result.residual[a * n_c + heat] += w * theta * rate.h * shape[a];
+      else
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          for (unsigned int b = 0; b < n_nodes; ++b)
+            result.tangent[(a * n_c + heat) * n_nodes * n_c + b * n_c + heat] +=
+                w * (rate.h + theta * rate.d_dtheta) * shape[a] * shape[b];
+    }
+    const Modes correction = local.M * local.R_p;
+    if (!with_tangent)
+      for (unsigned int i = 0; i < n_modes; ++i)
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          result.residual[a * n_c + heat] += dh_dt[i * stride + a] * correction[i];
+    else if (view.solves_deformation()) {
+      const std::array<Rows, dim> B = derivatives_of_dilatation(points);
+      for (int d = 0; d < dim; ++d)
+        add_product(dh_dt, local.M, B[d], view, heat, d, false, result.tangent.data());
     }
   }
 
   /// rows_ia += m_i w g_a.
-  void add_rows(const Modes& m, const double w, const double* g, const unsigned int stride,
-                double* rows) const
+  void add_rows(const Modes& m, const double w, const double* g, double* rows) const
   {
+    const unsigned int stride = rule->basis().stride;
     for (unsigned int i = 0; i < n_modes; ++i)
       for (unsigned int a = 0; a < stride; ++a)
         rows[i * stride + a] += m[i] * w * g[a];

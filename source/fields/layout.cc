@@ -42,8 +42,9 @@ void FieldLayout<dim>::declare(dealii::ParameterHandler& prm)
   }
   const Section section(prm, {"Temperature"});
   prm.add_parameter("Model", temperature_model,
-                    "`uniform`: a number, no unknowns; `steady`: conduction in the deformed body.",
-                    Selection("uniform|steady"));
+                    "`uniform`: a number, no unknowns; `steady`: conduction in the deformed body; "
+                    "`transient`: the same over time, from the uniform Value at time 0.",
+                    Selection("uniform|steady|transient"));
 }
 
 template <int dim>

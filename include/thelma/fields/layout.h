@@ -21,6 +21,10 @@ using BlockVector = dealii::LinearAlgebra::distributed::BlockVector<double>;
 
 enum class Field { displacement, potential, temperature };
 
+/// Which of them a system solves for; the others are given. Displacement and potential together are
+/// the deformation.
+enum class Solved { all, deformation, temperature };
+
 /// "displacement u", "potential phi", "temperature theta".
 std::string field_name(Field field);
 
@@ -48,6 +52,9 @@ public:
   void setup(const Mesh<dim>& mesh, const MaterialLibrary& materials);
 
   bool has(Field field) const;
+
+  /// Whether the temperature field changes in time.
+  bool is_transient() const { return temperature_model == "transient"; }
 
   /// Fields in the order of their blocks and components.
   const std::vector<Field>& fields() const { return present; }

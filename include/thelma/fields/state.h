@@ -1,7 +1,9 @@
 #pragma once
 
 #include <thelma/fields/layout.h>
+#include <thelma/fields/rates.h>
 
+#include <optional>
 #include <vector>
 
 namespace thelma
@@ -47,6 +49,11 @@ public:
   std::vector<double> internal; ///< unknowns inside the own cells, such as element pressures
   double voltage = 0.;          ///< kV
   double theta = 0.;            ///< uniform temperature in K
+  double time = 0.;             ///< s; in transient scenes also the load
+  double heat_inflow = 0.;      ///< through the walls into the accepted state, mW
+
+  /// How rates follow from the iterate and the accepted states; none in a steady state.
+  std::optional<Rates> rates;
 
 private:
   static constexpr std::size_t memory = 4;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <thelma/materials/entropy_rate.h>
 #include <thelma/materials/point.h>
 #include <thelma/materials/thermal.h>
 
@@ -27,6 +28,10 @@ public:
   virtual Energies energies(const PointState<>& state) const = 0;
   virtual void evaluate(const PointState<>& state, FirstDerivatives<>& out) const = 0;
   virtual void evaluate(const PointState<>& state, SecondDerivatives<>& out) const = 0;
+
+  /// Add to @p out what the material without its volumetric energy has of it.
+  virtual void add_entropy_rate(const PointState<>& state, const PointRates& rates,
+                                EntropyRate& out) const = 0;
 
   /// Shear modulus (MPa) and permittivity (N/kV^2) of the undeformed material.
   virtual double shear_modulus(double theta) const = 0;
@@ -115,6 +120,12 @@ public:
     out = second_derivatives(state);
   }
 
+  void add_entropy_rate(const PointState<>& state, const PointRates& rates,
+                        EntropyRate& out) const override
+  {
+    thelma::add_entropy_rate(second_derivatives(along(state, rates)), rates, out);
+  }
+
   double shear_modulus(const double theta) const override { return elastic.shear_modulus(theta); }
   double permittivity(const double theta) const override { return dielectric.permittivity(theta); }
 
@@ -164,6 +175,18 @@ void add_volumetric(const Kinematics<Number>& kin, const Volumetric<Number>& v,
           out.dP_dF[i][J][k][L] += slope * G[i][J] * G[k][L] - pJ * G[i][L] * G[k][J];
   out.dP_dtheta += v.dp_dtheta * kin.J * G;
   out.deta_dtheta += v.deta_dtheta;
+}
+
+/// The entropy rate of the volumetric energy when its J is det F.
+inline void add_volumetric_entropy_rate(const Thermal& thermal, const PointState<>& state,
+                                        const PointRates& rates, EntropyRate& out)
+{
+  const PointState<Directional> moving = along(state, rates);
+  const Kinematics<Directional> kin(moving.F);
+  SecondDerivatives<Directional> d{};
+  d.dP_dtheta = thermal.volumetric(kin.J, moving.theta).dp_dtheta * kin.J * kin.G;
+  d.deta_dtheta = thermal.volumetric(kin.J, moving.theta).deta_dtheta;
+  add_entropy_rate(d, rates, out);
 }
 
 } // namespace thelma
