@@ -1,5 +1,5 @@
 // Seconds of assembly per cell and core, scatter included, on the bending actuator's mesh of the
-// paper, charged and slightly deformed: residual, tangent, and the corrections inside the cells.
+// paper, charged and slightly deformed.
 // Run alone on the machine: build/bin/benchmark_assembly
 
 #include "scene.h"
@@ -43,9 +43,8 @@ void measure(const std::string& mesh, const std::string& supports, const std::st
   const std::size_t n = scene.layout.cells().size();
   const double residual = microseconds_per_cell(n, [&]() { scene.system.residual(); });
   const double tangent = microseconds_per_cell(n, [&]() { scene.system.assemble_tangent(); });
-  const double inside = microseconds_per_cell(n, [&]() { scene.system.relax_internal(); }) / 2.;
-  std::printf("%d-D  %-18s Q%d  %5zu cells  residual %7.2f  tangent %7.2f  inside %7.2f\n", dim,
-              formulation.c_str(), degree, n, residual, tangent, inside);
+  std::printf("%d-D  %-18s Q%d  %5zu cells  residual %7.2f  tangent %7.2f\n", dim,
+              formulation.c_str(), degree, n, residual, tangent);
 }
 
 } // namespace

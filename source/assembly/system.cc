@@ -50,12 +50,17 @@ void System<dim>::setup(const Solved fields)
   state.internal.resize(layout.cells().size() * n_internal);
   for (std::size_t cell = 0; cell < layout.cells().size(); ++cell)
     formulation->start_internal(state.internal.data() + cell * n_internal);
+  internal_residual.assign(state.internal.size(), 0.);
+  eliminations.assign(layout.cells().size() * formulation->n_elimination(), 0.);
   raw_residual = layout.new_vector();
-  correction = layout.new_vector();
-  base = layout.new_vector();
   loads = layout.new_vector();
+  base = correction = {layout.new_vector(), state.internal};
   state.x.update_ghost_values();
   compute_scales();
+  std::vector<double> weights;
+  for (const double scale : scales)
+    weights.push_back(std::pow(scale / scales.front(), 2));
+  anderson = Anderson(weights);
 }
 
 template <int dim>
@@ -114,15 +119,15 @@ ResidualReport System<dim>::residual()
     formulation->residual(view, result);
     min_det_F = std::min(min_det_F, result.min_det_F);
     internal_error += result.internal_error;
+    std::copy(result.internal.begin(), result.internal.end(),
+              internal_residual.begin() + view.index * formulation->n_internal());
     layout.scatter(view.cell, result.residual, raw_residual);
   });
   raw_residual.compress(dealii::VectorOperation::add);
   if (solved != Solved::deformation)
     heat.add_residual(state, raw_residual);
   raw_residual -= loads;
-  for (unsigned int b = 0; b < raw_residual.n_blocks(); ++b)
-    if (is_given(b))
-      raw_residual.block(b) = 0.;
+  clear_given(raw_residual);
 
   const BlockVector residual = free_residual();
   double norm =
@@ -145,11 +150,14 @@ BlockVector System<dim>::free_residual() const
 }
 
 template <int dim>
-bool System<dim>::is_given(const unsigned int block) const
+void System<dim>::clear_given(BlockVector& x) const
 {
-  const bool temperature =
-      layout.has(Field::temperature) && block == layout.block(Field::temperature);
-  return solved != Solved::all && temperature != (solved == Solved::temperature);
+  for (unsigned int b = 0; b < x.n_blocks(); ++b) {
+    const bool temperature =
+        layout.has(Field::temperature) && b == layout.block(Field::temperature);
+    if (solved != Solved::all && temperature != (solved == Solved::temperature))
+      x.block(b) = 0.;
+  }
 }
 
 /// A wrong temperature is as bad where it is stored as where it is conducted.
@@ -181,6 +189,7 @@ void System<dim>::assemble_tangent()
   for_each_cell([&](const CellView<dim>& view) {
     formulation->tangent(view, result);
     matrix.add(view.index, view.cell, result.tangent);
+    keep_elimination(view.index, result);
   });
   matrix.finish();
   if (solved != Solved::deformation)
@@ -190,63 +199,104 @@ void System<dim>::assemble_tangent()
 template <int dim>
 LinearReport System<dim>::linear_solve(const bool reuse)
 {
-  base = state.x;
-  internal_base = state.internal;
+  base.nodal = state.x;
+  base.internal = state.internal;
   LinearReport report{true, ""};
   if (!reuse) {
     assemble_tangent();
+    anderson.forget();
     const auto timer = timings.measure("factorisation");
     report = solver->factorise(matrix.matrix());
     if (!report.solved)
       return report;
   }
   const auto timer = timings.measure("linear solve");
-  correction.zero_out_ghost_values();
-  correction = raw_residual;
-  correction *= -1.;
-  conditions.constraints().set_zero(correction);
-  solver->solve(correction);
-  conditions.constraints().set_zero(correction);
+  BlockVector& x = correction.nodal;
+  x.zero_out_ghost_values();
+  x = raw_residual;
+  eliminate_internal(x);
+  x *= -1.;
+  conditions.constraints().set_zero(x);
+  clear_given(x);
+  solver->solve(x);
+  conditions.constraints().set_zero(x);
   recover_internal();
+  anderson.accelerate(base, correction);
   return report;
+}
+
+template <int dim>
+void System<dim>::keep_elimination(const std::size_t cell, const CellResult& result)
+{
+  std::copy(result.elimination.begin(), result.elimination.end(),
+            eliminations.begin() + cell * formulation->n_elimination());
+}
+
+template <int dim>
+Elimination<dim> System<dim>::elimination(const std::size_t cell) const
+{
+  return {cell, layout.cells()[cell].n_components,
+          eliminations.data() + cell * formulation->n_elimination(),
+          internal_residual.data() + cell * formulation->n_internal()};
+}
+
+template <int dim>
+void System<dim>::eliminate_internal(BlockVector& nodal) const
+{
+  if (formulation->n_internal() == 0)
+    return;
+  std::vector<double> values;
+  for (std::size_t index = 0; index < layout.cells().size(); ++index) {
+    const Cell<dim>& cell = layout.cells()[index];
+    values.assign(cell.dofs.size(), 0.);
+    formulation->eliminate(elimination(index), values.data());
+    layout.scatter(cell, values, nodal);
+  }
+  nodal.compress(dealii::VectorOperation::add);
 }
 
 template <int dim>
 void System<dim>::recover_internal()
 {
   const unsigned int n_internal = formulation->n_internal();
-  internal_correction.resize(state.internal.size());
   if (n_internal == 0)
     return;
   std::vector<double> dx;
-  correction.update_ghost_values();
-  for_each_cell([&](const CellView<dim>& view) {
-    layout.gather(view.cell, correction, dx);
-    formulation->recover(view, dx.data(), internal_correction.data() + view.index * n_internal);
-  });
-  correction.zero_out_ghost_values();
+  correction.nodal.update_ghost_values();
+  for (std::size_t index = 0; index < layout.cells().size(); ++index) {
+    layout.gather(layout.cells()[index], correction.nodal, dx);
+    formulation->recover(elimination(index), dx.data(),
+                         correction.internal.data() + index * n_internal);
+  }
+  correction.nodal.zero_out_ghost_values();
 }
 
 template <int dim>
 void System<dim>::relax_internal()
 {
   // The dilatation is linear in its residual and settles first, the pressure follows it.
-  correction = 0.;
+  CellResult result;
+  correction.nodal = 0.;
   for (int pass = 0; pass < 2; ++pass) {
+    residual();
+    for_each_cell([&](const CellView<dim>& view) {
+      formulation->tangent(view, result);
+      keep_elimination(view.index, result);
+    });
     recover_internal();
     for (std::size_t i = 0; i < state.internal.size(); ++i)
-      state.internal[i] += internal_correction[i];
+      state.internal[i] += correction.internal[i];
   }
 }
 
 template <int dim>
 void System<dim>::move_to(const double step)
 {
-  state.x = base;
-  state.x.add(step, correction);
+  state.x = base.nodal;
+  state.x.add(step, correction.nodal);
   state.x.update_ghost_values();
   for (std::size_t i = 0; i < state.internal.size(); ++i)
-    state.internal[i] = internal_base[i] + step * internal_correction[i];
+    state.internal[i] = base.internal[i] + step * correction.internal[i];
 }
 
 template <int dim>

@@ -1,6 +1,4 @@
-#include <thelma/elements/integrate.h>
-
-#include <optional>
+#include <thelma/elements/pressure_dilatation.h>
 
 namespace thelma
 {
@@ -8,33 +6,21 @@ namespace
 {
 
 /// The volumetric energy at the Gauss rule of one point less per direction, the rest at the full
-/// one (theory.md, eq. 15): the paper's cure for volumetric locking.
+/// one (theory.md, eq. 15): the paper's cure for volumetric locking. Each reduced point has a
+/// pressure and a dilatation of its own. In balance the dilatation is J there, so the states are
+/// those of the displacements alone, but Newton's method finds them in fewer iterations.
 template <int dim>
-class SelectiveReduced final : public Formulation<dim>
+class SelectiveReduced final : public PressureDilatation<dim>
 {
 public:
   void setup(const FieldLayout<dim>& layout) override
   {
-    full.emplace(layout, layout.degree() + 1);
-    reduced.emplace(layout, layout.degree());
+    const unsigned int n_points = layout.degree(), n_modes = this->points(n_points).size();
+    std::vector<Modes> modes(n_modes, Modes{});
+    for (unsigned int q = 0; q < n_modes; ++q)
+      modes[q][q] = 1.;
+    this->use(layout, n_points, modes, n_modes);
   }
-
-  void residual(const CellView<dim>& view, CellResult& result) const override
-  {
-    result.reset(view.cell.dofs.size(), false);
-    integrate(CellPoints<dim>(*full, view), view, WithoutVolumetric(), false, result);
-    integrate(CellPoints<dim>(*reduced, view), view, VolumetricOnly(), false, result);
-  }
-
-  void tangent(const CellView<dim>& view, CellResult& result) const override
-  {
-    result.reset(view.cell.dofs.size(), true);
-    integrate(CellPoints<dim>(*full, view), view, WithoutVolumetric(), true, result);
-    integrate(CellPoints<dim>(*reduced, view), view, VolumetricOnly(), true, result);
-  }
-
-private:
-  std::optional<Integration<dim>> full, reduced;
 };
 
 } // namespace

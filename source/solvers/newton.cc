@@ -25,8 +25,7 @@ void Newton::declare(dealii::ParameterHandler& prm)
 
 bool Newton::worth_reusing(const double residual, const double contraction, const double cost) const
 {
-  // Slower, the path of the iterates bends: soft directions return in the stiff ones.
-  constexpr double steady = 1e-3;
+  constexpr double steady = 0.5;
   return reuses && contraction < steady &&
          std::log(residual / tolerance) < cost * std::log(1. / contraction);
 }

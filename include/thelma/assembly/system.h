@@ -4,6 +4,7 @@
 #include <thelma/base/timings.h>
 #include <thelma/elements/formulation.h>
 #include <thelma/fields/state.h>
+#include <thelma/solvers/anderson.h>
 #include <thelma/solvers/mumps.h>
 #include <thelma/solvers/newton.h>
 
@@ -54,7 +55,7 @@ public:
   template <typename Visitor>
   void for_each_cell(const Visitor& visit) const;
 
-  /// Solve the cells' internal equations at the current nodal values.
+  /// Solve the cells' internal equations at the current nodal values; the tangent stays.
   void relax_internal();
 
   /// The tangent has this many negative eigenvalues when the state is stable; none may be said of
@@ -63,16 +64,21 @@ public:
   long long unstable_directions(long long negative_pivots) const;
 
 private:
+  /// Residual with the internal unknowns eliminated, in @p nodal.
+  void eliminate_internal(BlockVector& nodal) const;
+
   /// Correction of the internal unknowns that belongs to the nodal one.
   void recover_internal();
+  Elimination<dim> elimination(std::size_t cell) const;
+  void keep_elimination(std::size_t cell, const CellResult& result);
 
   /// Norms of the nodal forces that a unit stress mu (displacement sqrt(eps mu), heat flux
   /// k * 1 K/mm) exerts: the units of each field's residual.
   void compute_scales();
   double scale(unsigned int block) const;
 
-  /// Whether the unknowns of @p block are given.
-  bool is_given(unsigned int block) const;
+  /// Zero what belongs to given unknowns.
+  void clear_given(BlockVector& x) const;
 
   const FieldLayout<dim>& layout;
   const BoundaryConditions<dim>& conditions;
@@ -87,8 +93,11 @@ private:
   std::unique_ptr<Mumps> solver;
   std::vector<double> scales; ///< per block
   double volume = 0.;         ///< mm^dim
-  BlockVector raw_residual, base, correction, loads;
-  std::vector<double> internal_base, internal_correction;
+  BlockVector raw_residual, loads;
+  std::vector<double> internal_residual; ///< of all own cells
+  std::vector<double> eliminations;      ///< of all own cells, of the tangent last assembled
+  Unknowns base, correction;
+  Anderson anderson;
 };
 
 template <int dim>

@@ -40,15 +40,27 @@ struct CellResult {
   {
     residual.assign(with_tangent ? 0 : n_dofs, 0.);
     tangent.assign(with_tangent ? n_dofs * n_dofs : 0, 0.);
+    internal.clear();
+    elimination.clear();
     internal_error = 0.;
     min_det_F = std::numeric_limits<double>::max();
   }
 
-  /// R = dPi/dx, [a][c], with the internal unknowns where their linearised equations put them.
-  std::vector<double> residual;
-  std::vector<double> tangent; ///< dR/dx, row by row, internal unknowns condensed
-  double min_det_F;            ///< if not positive, the rest is meaningless
-  double internal_error;       ///< squared residual of the internal equations, mm^dim
+  std::vector<double> residual;    ///< R = dPi/dx, [a][c]
+  std::vector<double> internal;    ///< residual of the internal equations
+  std::vector<double> tangent;     ///< dR/dx, row by row, internal unknowns condensed
+  std::vector<double> elimination; ///< what condensation and recovery need of this tangent
+  double min_det_F;                ///< if not positive, the rest is meaningless
+  double internal_error;           ///< squared residual of the internal equations, mm^dim
+};
+
+/// The internal unknowns of one cell in a linear system whose tangent may be an older one.
+template <int dim>
+struct Elimination {
+  std::size_t index; ///< position among the rank's own cells
+  unsigned int n_components;
+  const double* kept;     ///< CellResult::elimination of the tangent
+  const double* residual; ///< CellResult::internal at the iterate
 };
 
 /// Residual and tangent of one cell. A new formulation is one file and one line in list.cc.
@@ -64,10 +76,15 @@ public:
   virtual void tangent(const CellView<dim>& view, CellResult& result) const = 0;
 
   /// Internal unknowns per cell are iterates like the nodal ones, but condensed out of each linear
-  /// system; recover() gives their correction once the nodal one, @p dx, is known.
+  /// system: eliminate() adds what they do to the nodal residual, recover() gives their correction
+  /// once the nodal one, @p dx, is known.
   virtual unsigned int n_internal() const { return 0; }
+  virtual unsigned int n_elimination() const { return 0; } ///< size of CellResult::elimination
   virtual void start_internal(double* /*values*/) const {}
-  virtual void recover(const CellView<dim>&, const double* /*dx*/, double* /*correction*/) const {}
+  virtual void eliminate(const Elimination<dim>&, double* /*residual*/) const {}
+  virtual void recover(const Elimination<dim>&, const double* /*dx*/, double* /*correction*/) const
+  {
+  }
 };
 
 template <int dim>

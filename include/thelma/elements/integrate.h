@@ -54,8 +54,9 @@ void integrate(const CellPoints<dim>& points, const CellView<dim>& view, const P
   if (!(points.min_det_F > 0.))
     return;
   const bool potential = view.cell.has_potential, temperature = view.solves_temperature();
-  if (temperature && view.history)
-    add_structural_heat(points, view, part, with_tangent, result);
+  if constexpr (Part::conducts)
+    if (temperature && view.history)
+      add_structural_heat(points, view, part, with_tangent, result);
   if (!view.solves_deformation()) {
     if constexpr (Part::conducts)
       integrate_fields<TemperatureOnly<dim>>(points, view, part, with_tangent, result);

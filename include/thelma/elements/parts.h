@@ -44,22 +44,4 @@ struct WithoutVolumetric {
   }
 };
 
-/// The volumetric energy alone.
-struct VolumetricOnly {
-  static constexpr bool conducts = false;
-
-  template <typename Derivatives>
-  void add(const Material& material, const PointState<>& state, const Kinematics<>& kin,
-           unsigned int, Derivatives& d) const
-  {
-    add_volumetric(kin, material.thermal.volumetric(kin.J, state.theta), d);
-  }
-
-  void add_entropy_rate(const Material& material, const PointState<>& state,
-                        const PointRates& rates, EntropyRate& out) const
-  {
-    add_volumetric_entropy_rate(material.thermal, state, rates, out);
-  }
-};
-
 } // namespace thelma

@@ -35,7 +35,7 @@ EntropyRate entropy_rate(const Part& part, const Material& material, const Point
   const auto eta = [&](const PointState<>& s) {
     FirstDerivatives<> d{};
     part.add(material, s, Kinematics<>(s.F), q, d);
-    return Part::conducts ? coupling_entropy(material.thermal, s.theta, d.eta) : d.eta;
+    return coupling_entropy(material.thermal, s.theta, d.eta);
   };
   out.h = rates.of(eta(state), [&](const std::size_t k) { return eta(past(k)); });
   SecondDerivatives<> d{};

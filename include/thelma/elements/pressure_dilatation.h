@@ -1,0 +1,77 @@
+#pragma once
+
+#include <thelma/elements/formulation.h>
+#include <thelma/elements/integrate.h>
+
+#include <array>
+#include <optional>
+
+namespace thelma
+{
+
+/// Coefficients of a pressure or dilatation over the modes of a cell; unused ones stay zero.
+using Modes = std::array<double, 8>;
+
+/// Formulations in which the volumetric energy sees a dilatation t of the cell instead of J, tied
+/// to it by a pressure p (theory.md, eq. 21):
+///   Pi = int psi - psi_v(J) + psi_v(t) + p (J - t) dV.
+/// p and t are iterates of Newton's method and condensed from each linear system only, so that the
+/// volumetric energy never meets a displacement that is not yet in balance (eq. 22).
+///
+/// Internal unknowns: p, then t. What elimination keeps of a tangent: S = M H M, then B, the
+/// derivative of R_p by each displacement component; with a temperature field also of R_t by the
+/// temperature and of the heat balance by t.
+template <int dim>
+class PressureDilatation : public Formulation<dim>
+{
+public:
+  unsigned int n_internal() const override { return 2 * n_modes; }
+  unsigned int n_elimination() const override;
+
+  /// p = 0 and t = 1.
+  void start_internal(double* values) const override;
+
+  void residual(const CellView<dim>& view, CellResult& result) const override;
+  void tangent(const CellView<dim>& view, CellResult& result) const override;
+  void eliminate(const Elimination<dim>& cell, double* residual) const override;
+  void recover(const Elimination<dim>& cell, const double* dx, double* correction) const override;
+
+protected:
+  /// Take the volumetric terms by Gauss's rule of @p n_points per direction and let p and t be
+  /// combinations of @p modes, given by their values at its points.
+  void use(const FieldLayout<dim>& layout, unsigned int n_points, const std::vector<Modes>& modes,
+           unsigned int n_modes);
+
+  /// Gauss's rule of the volumetric terms.
+  static std::vector<dealii::Point<dim>> points(unsigned int n_points);
+
+private:
+  using ModeMatrix = std::array<Modes, 8>;
+  struct Local;
+
+  /// Call @p action with the points of the full rule and those of the volumetric terms.
+  template <typename Action>
+  void with_points(const CellView<dim>& view, const Action& action) const;
+  void integrate_energy(const CellView<dim>& view, const CellPoints<dim>& full,
+                        const CellPoints<dim>& volumetric, const Modes& p, bool with_tangent,
+                        CellResult& result) const;
+  void add_condensed(const CellView<dim>& view, const CellPoints<dim>& points, const Local& local,
+                     CellResult& result) const;
+  void add_heat(const CellView<dim>& view, const CellPoints<dim>& points, bool with_tangent,
+                CellResult& result) const;
+  void add_product(const double* A, const ModeMatrix& S, const double* B, const CellView<dim>& view,
+                   int c, int d, bool mirrored, CellResult& result) const;
+  void add_rows(const Modes& m, double w, const double* g, double* rows) const;
+  Modes times(const ModeMatrix& A, const Modes& x) const;
+  ModeMatrix invert_mass(const PointGeometry<dim>* geometry) const;
+  std::size_t block_size() const { return n_modes * rule().basis().stride; }
+  const Integration<dim>& rule() const { return reduced ? *reduced : *full; }
+
+  std::optional<Integration<dim>> full, reduced; ///< reduced: empty if it is the full rule
+  unsigned int n_modes = 0;
+  bool has_temperature = false;
+  std::vector<Modes> modes;             ///< m_i at the points of rule()
+  std::vector<ModeMatrix> mass_inverse; ///< M, per cell
+};
+
+} // namespace thelma

@@ -1,0 +1,337 @@
+#include <thelma/elements/pressure_dilatation.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/lac/full_matrix.h>
+
+namespace thelma
+{
+namespace
+{
+
+/// Values at the points of a rule.
+using PointValues = std::array<double, 27>;
+
+/// The stress and stiffness of a given pressure field.
+template <bool whole>
+struct GivenPressure {
+  static constexpr bool conducts = whole;
+  PointValues pressure; ///< at the points of the rule, MPa
+
+  template <typename Derivatives>
+  void add(const Material& material, const PointState<>& state, const Kinematics<>& kin,
+           const unsigned int q, Derivatives& d) const
+  {
+    if constexpr (whole)
+      material.evaluate(state, d);
+    Volumetric<> constant{};
+    constant.p = pressure[q];
+    add_volumetric(kin, constant, d);
+  }
+
+  void add_entropy_rate(const Material& material, const PointState<>& state,
+                        const PointRates& rates, EntropyRate& out) const
+  {
+    material.add_entropy_rate(state, rates, out);
+  }
+};
+
+} // namespace
+
+/// The cell's own two equations, tested with the modes m_i:
+///   R_p = int m (J - t) = 0,   R_t = int m (psi_v'(t) - p) = 0,
+/// with H = int psi_v'' m m.
+template <int dim>
+struct PressureDilatation<dim>::Local {
+  Local(const PressureDilatation& f, const CellView<dim>& view, const CellPoints<dim>& points)
+      : min_det(points.min_det_F)
+  {
+    const unsigned int n = f.n_modes;
+    const double *pressures = view.internal, *dilatations = view.internal + n;
+    std::copy_n(pressures, n, p.begin());
+    for (unsigned int q = 0; q < points.n_points; ++q) {
+      const Modes& m = f.modes[q];
+      double pressure = 0., dilatation = 0.;
+      for (unsigned int i = 0; i < n; ++i) {
+        pressure += m[i] * pressures[i];
+        dilatation += m[i] * dilatations[i];
+      }
+      min_det = std::min(min_det, dilatation);
+      if (!(min_det > 0.))
+        return;
+      const double w = points.geometry[q].JxW;
+      const Volumetric<> v =
+          view.cell.material->thermal.volumetric(dilatation, points.input[q].state.theta);
+      for (unsigned int i = 0; i < n; ++i) {
+        R_p[i] += w * m[i] * (points.kinematics[q].J - dilatation);
+        R_t[i] += w * m[i] * (v.p - pressure);
+        for (unsigned int j = 0; j < n; ++j)
+          H[i][j] += w * v.dp_dJ * m[i] * m[j];
+      }
+      dp_dtheta[q] = v.dp_dtheta;
+    }
+  }
+
+  ModeMatrix H{};
+  Modes p{}, R_p{}, R_t{};
+  std::array<double, CellPoints<dim>::max> dp_dtheta{};
+  double min_det;
+};
+
+template <int dim>
+void PressureDilatation<dim>::use(const FieldLayout<dim>& layout, const unsigned int n_points,
+                                  const std::vector<Modes>& values, const unsigned int n)
+{
+  full.emplace(layout, layout.degree() + 1);
+  if (n_points != layout.degree() + 1)
+    reduced.emplace(layout, n_points);
+  has_temperature = layout.has(Field::temperature);
+  modes = values;
+  n_modes = n;
+  mass_inverse.clear();
+  for (std::size_t cell = 0; cell < layout.cells().size(); ++cell)
+    mass_inverse.push_back(invert_mass(rule().of_cell(cell)));
+}
+
+template <int dim>
+std::vector<dealii::Point<dim>> PressureDilatation<dim>::points(const unsigned int n_points)
+{
+  return dealii::QGauss<dim>(n_points).get_points();
+}
+
+template <int dim>
+unsigned int PressureDilatation<dim>::n_elimination() const
+{
+  return n_modes * n_modes + (dim + (has_temperature ? 2 : 0)) * block_size();
+}
+
+template <int dim>
+void PressureDilatation<dim>::start_internal(double* values) const
+{
+  std::fill(values, values + n_internal(), 0.);
+  // The modes are either points, or polynomials of which the first is the constant.
+  std::fill(values + n_modes, values + n_modes + (reduced ? n_modes : 1), 1.);
+}
+
+template <int dim>
+template <typename Action>
+void PressureDilatation<dim>::with_points(const CellView<dim>& view, const Action& action) const
+{
+  const CellPoints<dim> points(*full, view);
+  if (reduced)
+    action(points, CellPoints<dim>(*reduced, view));
+  else
+    action(points, points);
+}
+
+template <int dim>
+void PressureDilatation<dim>::residual(const CellView<dim>& view, CellResult& result) const
+{
+  result.reset(view.cell.dofs.size(), false);
+  with_points(view, [&](const CellPoints<dim>& points, const CellPoints<dim>& own) {
+    const Local local(*this, view, own);
+    result.min_det_F = local.min_det;
+    if (!(local.min_det > 0.))
+      return;
+    integrate_energy(view, points, own, local.p, false, result);
+    add_heat(view, own, false, result);
+    result.internal.assign(local.R_p.begin(), local.R_p.begin() + n_modes);
+    result.internal.insert(result.internal.end(), local.R_t.begin(), local.R_t.begin() + n_modes);
+    const ModeMatrix& M = mass_inverse[view.index];
+    const Modes p = times(M, local.R_p), t = times(M, local.R_t);
+    const double mu = view.cell.material->shear_modulus(view.theta);
+    for (unsigned int i = 0; i < n_modes; ++i)
+      result.internal_error += local.R_p[i] * p[i] + local.R_t[i] * t[i] / (mu * mu);
+  });
+}
+
+template <int dim>
+void PressureDilatation<dim>::tangent(const CellView<dim>& view, CellResult& result) const
+{
+  result.reset(view.cell.dofs.size(), true);
+  with_points(view, [&](const CellPoints<dim>& points, const CellPoints<dim>& own) {
+    const Local local(*this, view, own);
+    integrate_energy(view, points, own, local.p, true, result);
+    add_condensed(view, own, local, result);
+    add_heat(view, own, true, result);
+  });
+}
+
+template <int dim>
+void PressureDilatation<dim>::integrate_energy(const CellView<dim>& view,
+                                               const CellPoints<dim>& points,
+                                               const CellPoints<dim>& own, const Modes& p,
+                                               const bool with_tangent, CellResult& result) const
+{
+  PointValues pressure{};
+  for (std::size_t q = 0; q < modes.size(); ++q)
+    for (unsigned int i = 0; i < n_modes; ++i)
+      pressure[q] += modes[q][i] * p[i];
+  if (!reduced)
+    return integrate(points, view, GivenPressure<true>{pressure}, with_tangent, result);
+  integrate(points, view, WithoutVolumetric(), with_tangent, result);
+  integrate(own, view, GivenPressure<false>{pressure}, with_tangent, result);
+}
+
+/// The pressure answers to B dx by S = M H M and to dR_t/dtheta by M.
+template <int dim>
+void PressureDilatation<dim>::add_condensed(const CellView<dim>& view,
+                                            const CellPoints<dim>& points, const Local& local,
+                                            CellResult& result) const
+{
+  const int n_c = view.cell.n_components;
+  const ModeMatrix& M = mass_inverse[view.index];
+  result.elimination.assign(n_elimination(), 0.);
+  double* S = result.elimination.data();
+  double* B = S + n_modes * n_modes;
+  for (unsigned int i = 0; i < n_modes; ++i)
+    for (unsigned int k = 0; k < n_modes; ++k)
+      for (unsigned int l = 0; l < n_modes; ++l)
+        for (unsigned int j = 0; j < n_modes; ++j)
+          S[i * n_modes + j] += M[i][k] * local.H[k][l] * M[l][j];
+
+  for (unsigned int q = 0; q < points.n_points; ++q) {
+    const Kinematics<>& kin = points.kinematics[q];
+    const Gradients<dim>& gradients = points.gradients[q];
+    const double w = points.geometry[q].JxW;
+    for (int c = 0; c < dim; ++c)
+      for (int J = 0; J < dim; ++J)
+        add_rows(modes[q], w * kin.J * kin.G[axis<dim>(c)][axis<dim>(J)], gradients.g[J].data(),
+                 B + c * block_size());
+    if (has_temperature)
+      add_rows(modes[q], w * local.dp_dtheta[q], gradients.N, B + dim * block_size());
+  }
+
+  if (!view.solves_deformation())
+    return;
+  ModeMatrix stiffness{};
+  for (unsigned int i = 0; i < n_modes; ++i)
+    std::copy_n(S + i * n_modes, n_modes, stiffness[i].begin());
+  const bool heated = view.solves_temperature();
+  for (int c = 0; c < dim; ++c) {
+    for (int d = heated ? 0 : c; d < dim; ++d)
+      add_product(B + c * block_size(), stiffness, B + d * block_size(), view, c, d,
+                  !heated && c != d, result);
+    if (heated)
+      add_product(B + c * block_size(), M, B + dim * block_size(), view, c, n_c - 1, false, result);
+  }
+}
+
+/// Add A^T S B to the block of the components c, d and, @p mirrored, its transpose.
+template <int dim>
+void PressureDilatation<dim>::add_product(const double* A, const ModeMatrix& S, const double* B,
+                                          const CellView<dim>& view, const int c, const int d,
+                                          const bool mirrored, CellResult& result) const
+{
+  constexpr unsigned int length = Gradients<dim>::length;
+  const unsigned int stride = rule().basis().stride, n_nodes = rule().basis().n_nodes;
+  alignas(32) std::array<double, length * length> C;
+  std::array<double, 8 * length> answer;
+  std::array<const double*, 8> rows;
+  std::fill_n(answer.begin(), block_size(), 0.);
+  for (unsigned int i = 0; i < n_modes; ++i) {
+    rows[i] = A + i * stride;
+    for (unsigned int j = 0; j < n_modes; ++j)
+      for (unsigned int b = 0; b < stride; ++b)
+        answer[i * stride + b] += S[i][j] * B[j * stride + b];
+  }
+  multiply(stride, n_modes, rows.data(), answer.data(), n_nodes, C.data());
+  add_block(C.data(), n_nodes, view.cell.n_components, c, d, mirrored, result.tangent.data());
+}
+
+/// R -= -B^T (M R_t + S R_p): what the pressure lacks where the nodes are; and what the dilatation
+/// lacks in the heat balance.
+template <int dim>
+void PressureDilatation<dim>::eliminate(const Elimination<dim>& cell, double* residual) const
+{
+  const ModeMatrix& M = mass_inverse[cell.index];
+  const double *S = cell.kept, *B = S + n_modes * n_modes, *R_p = cell.residual,
+               *R_t = R_p + n_modes;
+  const unsigned int stride = rule().basis().stride, n_nodes = rule().basis().n_nodes;
+  for (unsigned int i = 0; i < n_modes; ++i) {
+    double p = 0.;
+    for (unsigned int j = 0; j < n_modes; ++j)
+      p += M[i][j] * R_t[j] + S[i * n_modes + j] * R_p[j];
+    for (int c = 0; c < dim; ++c)
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        residual[a * cell.n_components + c] += p * B[c * block_size() + i * stride + a];
+    if (!has_temperature)
+      continue;
+    double t = 0.;
+    for (unsigned int j = 0; j < n_modes; ++j)
+      t += M[i][j] * R_p[j];
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      residual[(a + 1) * cell.n_components - 1] += t * B[(dim + 1) * block_size() + i * stride + a];
+  }
+}
+
+/// dt = M (R_p + B dx), dp = M (R_t + dR_t/dtheta dtheta) + S (R_p + B dx).
+template <int dim>
+void PressureDilatation<dim>::recover(const Elimination<dim>& cell, const double* dx,
+                                      double* correction) const
+{
+  const ModeMatrix& M = mass_inverse[cell.index];
+  const double *S = cell.kept, *B = S + n_modes * n_modes;
+  const unsigned int stride = rule().basis().stride, n_nodes = rule().basis().n_nodes;
+  const int n_c = cell.n_components;
+  Modes R_p{}, R_t{};
+  std::copy_n(cell.residual, n_modes, R_p.begin());
+  std::copy_n(cell.residual + n_modes, n_modes, R_t.begin());
+  for (unsigned int i = 0; i < n_modes; ++i)
+    for (unsigned int a = 0; a < n_nodes; ++a) {
+      for (int c = 0; c < dim; ++c)
+        R_p[i] += B[c * block_size() + i * stride + a] * dx[a * n_c + c];
+      if (has_temperature)
+        R_t[i] += B[dim * block_size() + i * stride + a] * dx[a * n_c + n_c - 1];
+    }
+  for (unsigned int i = 0; i < n_modes; ++i) {
+    double &p = correction[i], &t = correction[n_modes + i];
+    p = t = 0.;
+    for (unsigned int j = 0; j < n_modes; ++j) {
+      p += M[i][j] * R_t[j] + S[i * n_modes + j] * R_p[j];
+      t += M[i][j] * R_p[j];
+    }
+  }
+}
+
+/// rows_ia += m_i w g_a.
+template <int dim>
+void PressureDilatation<dim>::add_rows(const Modes& m, const double w, const double* g,
+                                       double* rows) const
+{
+  const unsigned int stride = rule().basis().stride;
+  for (unsigned int i = 0; i < n_modes; ++i)
+    for (unsigned int a = 0; a < stride; ++a)
+      rows[i * stride + a] += m[i] * w * g[a];
+}
+
+template <int dim>
+Modes PressureDilatation<dim>::times(const ModeMatrix& A, const Modes& x) const
+{
+  Modes y{};
+  for (unsigned int i = 0; i < n_modes; ++i)
+    for (unsigned int j = 0; j < n_modes; ++j)
+      y[i] += A[i][j] * x[j];
+  return y;
+}
+
+template <int dim>
+typename PressureDilatation<dim>::ModeMatrix
+PressureDilatation<dim>::invert_mass(const PointGeometry<dim>* geometry) const
+{
+  dealii::FullMatrix<double> mass(n_modes, n_modes);
+  for (std::size_t q = 0; q < modes.size(); ++q)
+    for (unsigned int i = 0; i < n_modes; ++i)
+      for (unsigned int j = 0; j < n_modes; ++j)
+        mass(i, j) += geometry[q].JxW * modes[q][i] * modes[q][j];
+  mass.gauss_jordan();
+  ModeMatrix inverse{};
+  for (unsigned int i = 0; i < n_modes; ++i)
+    for (unsigned int j = 0; j < n_modes; ++j)
+      inverse[i][j] = mass(i, j);
+  return inverse;
+}
+
+template class PressureDilatation<2>;
+template class PressureDilatation<3>;
+
+} // namespace thelma
