@@ -76,7 +76,7 @@ typename NodalHeat<dim>::Surface NodalHeat<dim>::properties(const std::string& n
 template <int dim>
 void NodalHeat<dim>::collect_capacity(const FieldLayout<dim>& layout)
 {
-  dealii::FEValues<dim> values(layout.scalar_element(),
+  dealii::FEValues<dim> values(layout.mapping(), layout.scalar_element(),
                                dealii::QGaussLobatto<dim>(layout.degree() + 1),
                                dealii::update_values | dealii::update_JxW_values);
   for (const Cell<dim>& cell : layout.cells()) {
@@ -97,7 +97,7 @@ void NodalHeat<dim>::collect_sources(const Mesh<dim>& mesh, const FieldLayout<di
     if (std::find(regions.begin(), regions.end(), entry.first) == regions.end())
       throw InputError(place + ": the mesh has no region '" + entry.first +
                        "'; known: " + comma_separated(regions));
-  dealii::FEValues<dim> values(layout.scalar_element(),
+  dealii::FEValues<dim> values(layout.mapping(), layout.scalar_element(),
                                dealii::QGaussLobatto<dim>(layout.degree() + 1),
                                dealii::update_values | dealii::update_JxW_values);
   for (const Cell<dim>& cell : layout.cells()) {
@@ -117,7 +117,7 @@ void NodalHeat<dim>::collect_surface(const Mesh<dim>& mesh, const FieldLayout<di
                                      const std::string& name, const Surface& surface)
 {
   const unsigned int component = layout.first_component(Field::temperature);
-  dealii::FEFaceValues<dim> values(layout.scalar_element(),
+  dealii::FEFaceValues<dim> values(layout.mapping(), layout.scalar_element(),
                                    dealii::QGaussLobatto<dim - 1>(layout.degree() + 1),
                                    dealii::update_values | dealii::update_JxW_values);
   std::vector<dealii::types::global_dof_index> indices;

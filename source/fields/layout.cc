@@ -71,6 +71,7 @@ void FieldLayout<dim>::setup(const Mesh<dim>& mesh, const MaterialLibrary& mater
     present.push_back(Field::temperature);
 
   build_elements();
+  cell_mapping = std::make_unique<dealii::MappingQ<dim>>(mesh.is_curved() ? polynomial_degree : 1);
   dofs.reinit(mesh.triangulation());
   for (const auto& cell : dofs.active_cell_iterators())
     if (cell->is_locally_owned())

@@ -139,7 +139,8 @@ void FieldWriter<dim>::write(const Scene<dim>& scene, const std::string& folder,
   dealii::DataOut<dim> out;
   out.add_data_vector(scene.layout.dof_handler(), x, names, kinds);
   out.add_data_vector(scene.layout.dof_handler(), x, quantities);
-  out.build_patches(scene.layout.degree());
+  out.build_patches(scene.layout.mapping(), scene.layout.degree(),
+                    dealii::DataOut<dim>::curved_inner_cells);
   const std::string file =
       out.write_vtu_with_pvtu_record(folder + "/", "fields", step, scene.layout.communicator(), 4);
 
