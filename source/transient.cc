@@ -119,7 +119,7 @@ bool Transient<dim>::accept()
     return false;
   }
   state.accept(state.time);
-  state.heat_inflow = system.heat_inflow();
+  state.inflow = system.heat_inflow();
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -217,14 +218,30 @@ double NodalHeat<dim>::storage_scale(const State& state) const
 }
 
 template <int dim>
-double NodalHeat<dim>::inflow(const State& state) const
+HeatInflow NodalHeat<dim>::inflow(const State& state) const
 {
   const auto& theta = state.x.block(block);
-  double sum = 0.;
-  for (const auto i : theta.locally_owned_elements())
-    sum += power * powers.block(block)(i) + warming * ambient.block(block)(i) -
-           conductances.block(block)(i) * (theta(i) - (1. - warming) * start);
-  return dealii::Utilities::MPI::sum(sum, theta.get_mpi_communicator());
+  std::vector<double> own{0., 0.}, sum(2);
+  for (const auto i : theta.locally_owned_elements()) {
+    const double heat = power * powers.block(block)(i) + warming * ambient.block(block)(i) -
+                        conductances.block(block)(i) * (theta(i) - (1. - warming) * start);
+    own[0] += heat;
+    own[1] += heat / theta(i);
+  }
+  dealii::Utilities::MPI::sum(own, theta.get_mpi_communicator(), sum);
+  return {sum[0], sum[1]};
+}
+
+template <int dim>
+Energies NodalHeat<dim>::stored(const State& state, const double theta_0) const
+{
+  Energies sum;
+  const auto& theta = state.x.block(block);
+  for (const auto i : theta.locally_owned_elements()) {
+    sum.thermal += capacities.block(block)(i) * (theta(i) - theta_0);
+    sum.entropy += capacities.block(block)(i) * std::log(theta(i) / theta_0);
+  }
+  return sum;
 }
 
 template class NodalHeat<2>;

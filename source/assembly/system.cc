@@ -170,14 +170,26 @@ double System<dim>::scale(const unsigned int block) const
 }
 
 template <int dim>
-double System<dim>::heat_inflow() const
+HeatInflow System<dim>::heat_inflow() const
 {
   const auto owned = layout.dof_handler().locally_owned_dofs();
-  double sum = 0.;
+  std::vector<double> own{0., 0.}, sum(2);
   for (const auto& [unknown, theta] : conditions.heated())
-    if (owned.is_element(unknown))
-      sum += raw_residual(unknown);
-  return dealii::Utilities::MPI::sum(sum, layout.communicator()) + heat.inflow(state);
+    if (owned.is_element(unknown)) {
+      own[0] += raw_residual(unknown);
+      own[1] += raw_residual(unknown) / state.x(unknown);
+    }
+  dealii::Utilities::MPI::sum(own, layout.communicator(), sum);
+  const HeatInflow elsewhere = heat.inflow(state);
+  return {sum[0] + elsewhere.heat, sum[1] + elsewhere.entropy};
+}
+
+template <int dim>
+Energies System<dim>::energies() const
+{
+  Energies sum;
+  for_each_cell([&](const CellView<dim>& view) { sum.add(1., formulation->energies(view)); });
+  return sum;
 }
 
 template <int dim>

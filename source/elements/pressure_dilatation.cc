@@ -68,6 +68,7 @@ struct PressureDilatation<dim>::Local {
           H[i][j] += w * v.dp_dJ * m[i] * m[j];
       }
       dp_dtheta[q] = v.dp_dtheta;
+      stored.add(w, thelma::energies(v, points.input[q].state.theta));
     }
   }
 
@@ -75,6 +76,7 @@ struct PressureDilatation<dim>::Local {
   Modes p{}, R_p{}, R_t{};
   std::array<double, CellPoints<dim>::max> dp_dtheta{};
   double min_det;
+  Energies stored; ///< of psi_v(t)
 };
 
 template <int dim>
@@ -154,6 +156,19 @@ void PressureDilatation<dim>::tangent(const CellView<dim>& view, CellResult& res
     add_condensed(view, own, local, result);
     add_heat(view, own, true, result);
   });
+}
+
+template <int dim>
+Energies PressureDilatation<dim>::energies(const CellView<dim>& view) const
+{
+  Energies sum;
+  with_points(view, [&](const CellPoints<dim>& points, const CellPoints<dim>& own) {
+    sum = integral(points, view, [](const Material& material, const PointState<>& state) {
+      return material.energies(state);
+    });
+    sum.add(1., Local(*this, view, own).stored);
+  });
+  return sum;
 }
 
 template <int dim>

@@ -26,6 +26,18 @@ public:
     integrate(CellPoints<dim>(*full, view), view, WholeEnergy(), true, result);
   }
 
+  Energies energies(const CellView<dim>& view) const override
+  {
+    return integral(
+        CellPoints<dim>(*full, view), view,
+        [](const Material& material, const PointState<>& state) {
+          const double J = Kinematics<>(state.F).J;
+          Energies sum = material.energies(state);
+          sum.add(1., thelma::energies(material.thermal.volumetric(J, state.theta), state.theta));
+          return sum;
+        });
+  }
+
 private:
   std::optional<Integration<dim>> full;
 };

@@ -33,8 +33,11 @@ public:
   /// Heat flow that changes every temperature by 1 K in one time step, over all nodes (norm, mW).
   double storage_scale(const State& state) const;
 
-  /// Heat that flows in mW through surfaces with a flux or convection, and from sources.
-  double inflow(const State& state) const;
+  /// What flows through surfaces with a flux or convection, and from sources.
+  HeatInflow inflow(const State& state) const;
+
+  /// Energy c (theta - theta_0) in mJ and entropy c ln(theta/theta_0) in mJ/K of the own nodes.
+  Energies stored(const State& state, double theta_0) const;
 
   /// Heat capacity of each node in mJ/K, in the block of the temperature.
   const BlockVector& capacity() const { return capacities; }

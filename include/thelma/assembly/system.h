@@ -48,8 +48,11 @@ public:
   /// Hold the body with these nodal forces, charges and heat flows (N, minus uC, mW).
   void set_loads(const BlockVector& forces) { loads = forces; }
 
-  /// Heat in mW that enters through the walls, all of them, at the newest residual.
-  double heat_inflow() const;
+  /// What enters through the walls, all of them, at the newest residual.
+  HeatInflow heat_inflow() const;
+
+  /// What the own cells store in mJ, in plane strain per mm.
+  Energies energies() const;
 
   /// Call @p visit for each own cell at the current iterate.
   template <typename Visitor>

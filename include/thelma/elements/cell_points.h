@@ -62,4 +62,14 @@ struct CellPoints {
   double min_det_F = std::numeric_limits<double>::max();
 };
 
+/// The integral over one cell of @p density(material, point state).
+template <int dim, typename Density>
+Energies integral(const CellPoints<dim>& points, const CellView<dim>& view, const Density& density)
+{
+  Energies sum;
+  for (unsigned int q = 0; q < points.n_points; ++q)
+    sum.add(points.geometry[q].JxW, density(*view.cell.material, points.input[q].state));
+  return sum;
+}
+
 } // namespace thelma

@@ -75,6 +75,9 @@ public:
   virtual void residual(const CellView<dim>& view, CellResult& result) const = 0;
   virtual void tangent(const CellView<dim>& view, CellResult& result) const = 0;
 
+  /// What the cell stores in mJ, in plane strain per mm, as the formulation integrates it.
+  virtual Energies energies(const CellView<dim>& view) const = 0;
+
   /// Internal unknowns per cell are iterates like the nodal ones, but condensed out of each linear
   /// system: eliminate() adds what they do to the nodal residual, recover() gives their correction
   /// once the nodal one, @p dx, is known.

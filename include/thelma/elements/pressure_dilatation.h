@@ -33,6 +33,7 @@ public:
 
   void residual(const CellView<dim>& view, CellResult& result) const override;
   void tangent(const CellView<dim>& view, CellResult& result) const override;
+  Energies energies(const CellView<dim>& view) const override;
   void eliminate(const Elimination<dim>& cell, double* residual) const override;
   void recover(const Elimination<dim>& cell, const double* dx, double* correction) const override;
 

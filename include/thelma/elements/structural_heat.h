@@ -9,12 +9,6 @@
 namespace thelma
 {
 
-/// eta without its part c ln(theta/theta_0), which belongs to the capacity.
-inline double coupling_entropy(const Thermal& thermal, const double theta, const double eta)
-{
-  return eta - thermal.c * std::log(theta / thermal.theta_0);
-}
-
 /// h at one point; @p past(k) is the state there k + 1 accepted states ago.
 template <typename Part, typename Past>
 EntropyRate entropy_rate(const Part& part, const Material& material, const PointState<>& state,
@@ -35,7 +29,7 @@ EntropyRate entropy_rate(const Part& part, const Material& material, const Point
   const auto eta = [&](const PointState<>& s) {
     FirstDerivatives<> d{};
     part.add(material, s, Kinematics<>(s.F), q, d);
-    return coupling_entropy(material.thermal, s.theta, d.eta);
+    return material.thermal.coupling_entropy(s.theta, d.eta);
   };
   out.h = rates.of(eta(state), [&](const std::size_t k) { return eta(past(k)); });
   SecondDerivatives<> d{};

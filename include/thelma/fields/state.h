@@ -9,6 +9,12 @@
 namespace thelma
 {
 
+/// What enters a body through its walls and from its sources.
+struct HeatInflow {
+  double heat = 0.;    ///< mW
+  double entropy = 0.; ///< the same over the temperature where it enters, mW/K
+};
+
 /// The iterate, the load it belongs to, and the accepted states behind it.
 class State
 {
@@ -50,7 +56,7 @@ public:
   double voltage = 0.;          ///< kV
   double theta = 0.;            ///< uniform temperature in K
   double time = 0.;             ///< s; in transient scenes also the load
-  double heat_inflow = 0.;      ///< through the walls into the accepted state, mW
+  HeatInflow inflow;            ///< into the accepted state
 
   /// How rates follow from the iterate and the accepted states; none in a steady state.
   std::optional<Rates> rates;

@@ -9,14 +9,32 @@
 namespace thelma
 {
 
-/// Energies per reference volume in mJ/mm^3 = MPa.
+/// Energies per reference volume in mJ/mm^3 = MPa. Inner energy is the sum of elastic, electric and
+/// thermal and c (theta - theta_0); entropy that of the part here and c ln(theta/theta_0).
 struct Energies {
-  double elastic;  ///< (theta/theta_0) (W + U)
-  double electric; ///< stored field energy, D.E/2 for a linear dielectric
+  double elastic = 0.;  ///< (theta/theta_0) W, and what the volumetric energy adds to it
+  double electric = 0.; ///< stored field energy, D.E/2 for a linear dielectric
+  double thermal = 0.;  ///< psi_t + theta eta without the part of the heat capacity
+  double entropy = 0.;  ///< eta without the part of the heat capacity, MPa/K
+
+  /// Add @p w times @p other.
+  void add(const double w, const Energies& other)
+  {
+    elastic += w * other.elastic;
+    electric += w * other.electric;
+    thermal += w * other.thermal;
+    entropy += w * other.entropy;
+  }
 };
 
-/// What the rest of the program knows of a material. The derivatives leave the volumetric energy
-/// out; the element formulation adds it by its own rule.
+/// What the volumetric energy adds to them.
+inline Energies energies(const Volumetric<>& v, const double theta)
+{
+  return {v.psi, 0., theta * v.eta, v.eta};
+}
+
+/// What the rest of the program knows of a material. Energies and derivatives leave the volumetric
+/// energy out; the element formulation adds it by its own rule.
 class Material
 {
 public:
@@ -106,8 +124,10 @@ public:
   {
     const Kinematics<> kin(state.F);
     const Split<double> em(*this, state, kin);
-    return {state.theta / thermal.theta_0 * em.d.W + thermal.volumetric(kin.J, state.theta).psi,
-            -dielectric.psi(state, kin)};
+    const double theta = state.theta;
+    const double entropy = thermal.coupling_entropy(theta, first_derivatives(state).eta);
+    return {theta / thermal.theta_0 * em.d.W, -dielectric.psi(state, kin),
+            thermal.coupling_psi(theta) + theta * entropy, entropy};
   }
 
   void evaluate(const PointState<>& state, FirstDerivatives<>& out) const override

@@ -66,6 +66,8 @@ std::unique_ptr<Observable<dim>> make_det_F();
 template <int dim>
 std::unique_ptr<Observable<dim>> make_breakdown();
 template <int dim>
+std::unique_ptr<Observable<dim>> make_ledger();
+template <int dim>
 std::unique_ptr<Observable<dim>> make_probe();
 template <int dim>
 std::unique_ptr<Observable<dim>> make_temperature_range();
