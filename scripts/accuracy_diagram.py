@@ -2,9 +2,9 @@
 
 import matplotlib
 
-from accuracy_cases import PEERS
+from accuracy_cases import PEER_PROGRAMS, PEER_TO, PEERS
 from accuracy_report import TIME_BARS, solved
-from accuracy_table import families
+from accuracy_table import families, select
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
@@ -54,9 +54,11 @@ def draw_bars(axes, e):
                       linestyle=":", zorder=1, scalex=False, scaley=False)
 
 
-def draw_peers(axes):
-    """The peer's published runs."""
-    points = [(min(peer.seconds), peer.error) for peer in PEERS.values()]
+def draw_peers(axes, rows):
+    """The peer's runs here, or what it published."""
+    measured = select(rows, program=PEER_PROGRAMS[0])
+    points = ([(row.solve_seconds, row.error) for row in measured] or
+              [(min(peer.seconds), peer.error) for peer in PEERS.values()])
     axes.plot(*zip(*points), "*", color="0.35", markersize=9, markeredgewidth=0, zorder=2)
 
 
@@ -82,14 +84,15 @@ def draw(rows, path):
     """One rank; the seconds of the whole load path."""
     plt.rcParams.update(STYLE)
     panels = [panel for panel in PANELS if solved(rows, *panel[1:])]
-    figure, axes = plt.subplots(1, len(panels), figsize=(max(3.5 * len(panels), 8.5), 4.5), squeeze=False)
+    figure, axes = plt.subplots(1, len(panels), figsize=(max(3.5 * len(panels), 8.5), 4.5),
+                                squeeze=False)
     axes = axes[0]
     figure.subplots_adjust(left=0.07, right=0.985, top=0.93, bottom=0.29, wspace=0.22)
     style = styles(rows)
     for panel, (title, scene, e) in zip(axes, panels):
         draw_panel(panel, solved(rows, scene, e), style)
-        if e == 0.475:
-            draw_peers(panel)
+        if e == PEER_TO:
+            draw_peers(panel, rows)
         draw_bars(panel, e)
         panel.set_title(title, fontsize=11)
         panel.set_xlabel("seconds")

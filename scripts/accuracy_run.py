@@ -11,8 +11,8 @@ from pathlib import Path
 from accuracy_cases import MODELS, ROOT, TARGETS, reference
 from accuracy_table import Row
 
-SHORT = 1.0  # seconds; shorter runs are repeated
-REPETITIONS = 4
+SHORT = 0.5  # seconds; shorter runs are repeated
+REPETITIONS = 3
 PATIENCE = 600  # seconds until a run counts as failed
 DEGREES = (1, 2, 3)
 

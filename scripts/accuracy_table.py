@@ -4,6 +4,8 @@ import csv
 import math
 from dataclasses import asdict, dataclass, fields
 
+THELMA = "thelma"
+
 
 @dataclass
 class Row:
@@ -27,6 +29,7 @@ class Row:
     reference: float = None
     relative_error: float = None  # signed
     outcome: str = ""
+    program: str = THELMA  # or the peer
 
     @property
     def error(self):

@@ -114,6 +114,8 @@ void Problem<dim>::heat()
     conditions.apply(0., theta_start, part, state.x);
     nodal_heat.apply(theta_start, part, part);
     set_uniform_temperature(theta_start + part * (theta - theta_start));
+    if (state.path().size() == 1)
+      system.start_internal(); // free expansion is a better guess than none
   };
   NewtonReport last;
   const auto remember = [&](double, const NewtonReport& report) { last = report; };
@@ -150,6 +152,7 @@ void Problem<dim>::apply_voltage()
     if (layout.is_transient())
       set_uniform_temperature(theta);
   };
+  leave_rest(prescribe);
   if (!follow(stepper, LoadSymmetry::voltage, prescribe,
               [&](const double load, const NewtonReport& report) { record(load, report); })) {
     prescribe(state.accepted_load());
@@ -158,6 +161,23 @@ void Problem<dim>::apply_voltage()
     outcome = failure("target reached", "the target was reached but a pull-in was expected");
     outcome.code = ExitCode::expectation_failed;
   }
+}
+
+/// At a voltage so small that the body answers linearly, the tangent at rest finds in which
+/// direction the path leaves. The first step can be foretold from there.
+template <int dim>
+void Problem<dim>::leave_rest(const std::function<void(double)>& prescribe)
+{
+  constexpr double small = 1. / 32.; // of the first step
+  const double load = small * stepper.step();
+  prescribe(load);
+  const NewtonReport report = newton.solve(system, true);
+  outcome.newton_iterations += report.iterations;
+  outcome.factorisations += report.factorisations;
+  if (report.converged)
+    state.accept(load);
+  else
+    state.restore();
 }
 
 template <int dim>
@@ -237,6 +257,11 @@ template <int dim>
 NewtonReport Problem<dim>::solve() const
 {
   NewtonReport report = newton.solve(system);
+  if (report.converged && unstable_directions(report) != 0 && report.reused) {
+    // A count that decides is taken at the state itself.
+    report.negative_pivots = system.linear_solve(false).negative_pivots;
+    ++report.factorisations;
+  }
   const long long unstable = unstable_directions(report);
   if (report.converged && unstable != 0 && unstable_states == "reject") {
     report.converged = false;

@@ -41,6 +41,7 @@ private:
   void set_uniform_temperature(double value);
   void apply_voltage();
   void evolve();
+  void leave_rest(const std::function<void(double)>& prescribe);
   bool follow(Stepper& steps, LoadSymmetry symmetry, const std::function<void(double)>& prescribe,
               const Record& record);
   NewtonReport solve() const;

@@ -46,21 +46,24 @@ void System<dim>::setup(const Solved fields)
                  return is_solved(cell, c) && is_solved(cell, d);
                });
   solver = std::make_unique<Mumps>(layout.communicator(), is_symmetric());
-  const unsigned int n_internal = formulation->n_internal();
-  state.internal.resize(layout.cells().size() * n_internal);
-  for (std::size_t cell = 0; cell < layout.cells().size(); ++cell)
-    formulation->start_internal(state.internal.data() + cell * n_internal);
+  state.internal.resize(layout.cells().size() * formulation->n_internal());
+  start_internal();
   internal_residual.assign(state.internal.size(), 0.);
   eliminations.assign(layout.cells().size() * formulation->n_elimination(), 0.);
   raw_residual = layout.new_vector();
-  loads = layout.new_vector();
-  base = correction = {layout.new_vector(), state.internal};
+  base = correction = loads = layout.new_vector();
+  internal_base = internal_correction = state.internal;
   state.x.update_ghost_values();
   compute_scales();
-  std::vector<double> weights;
-  for (const double scale : scales)
-    weights.push_back(std::pow(scale / scales.front(), 2));
-  anderson = Anderson(weights);
+}
+
+template <int dim>
+void System<dim>::start_internal()
+{
+  const unsigned int n_internal = formulation->n_internal();
+  for (std::size_t cell = 0; cell < layout.cells().size(); ++cell)
+    formulation->start_internal(*layout.cells()[cell].material, state.theta,
+                                state.internal.data() + cell * n_internal);
 }
 
 template <int dim>
@@ -211,29 +214,26 @@ void System<dim>::assemble_tangent()
 template <int dim>
 LinearReport System<dim>::linear_solve(const bool reuse)
 {
-  base.nodal = state.x;
-  base.internal = state.internal;
+  base = state.x;
+  internal_base = state.internal;
   LinearReport report{true, ""};
   if (!reuse) {
     assemble_tangent();
-    anderson.forget();
     const auto timer = timings.measure("factorisation");
     report = solver->factorise(matrix.matrix());
     if (!report.solved)
       return report;
   }
   const auto timer = timings.measure("linear solve");
-  BlockVector& x = correction.nodal;
-  x.zero_out_ghost_values();
-  x = raw_residual;
-  eliminate_internal(x);
-  x *= -1.;
-  conditions.constraints().set_zero(x);
-  clear_given(x);
-  solver->solve(x);
-  conditions.constraints().set_zero(x);
+  correction.zero_out_ghost_values();
+  correction = raw_residual;
+  eliminate_internal(correction);
+  correction *= -1.;
+  conditions.constraints().set_zero(correction);
+  clear_given(correction);
+  solver->solve(correction);
+  conditions.constraints().set_zero(correction);
   recover_internal();
-  anderson.accelerate(base, correction);
   return report;
 }
 
@@ -274,13 +274,13 @@ void System<dim>::recover_internal()
   if (n_internal == 0)
     return;
   std::vector<double> dx;
-  correction.nodal.update_ghost_values();
+  correction.update_ghost_values();
   for (std::size_t index = 0; index < layout.cells().size(); ++index) {
-    layout.gather(layout.cells()[index], correction.nodal, dx);
+    layout.gather(layout.cells()[index], correction, dx);
     formulation->recover(elimination(index), dx.data(),
-                         correction.internal.data() + index * n_internal);
+                         internal_correction.data() + index * n_internal);
   }
-  correction.nodal.zero_out_ghost_values();
+  correction.zero_out_ghost_values();
 }
 
 template <int dim>
@@ -288,7 +288,7 @@ void System<dim>::relax_internal()
 {
   // The dilatation is linear in its residual and settles first, the pressure follows it.
   CellResult result;
-  correction.nodal = 0.;
+  correction = 0.;
   for (int pass = 0; pass < 2; ++pass) {
     residual();
     for_each_cell([&](const CellView<dim>& view) {
@@ -297,18 +297,18 @@ void System<dim>::relax_internal()
     });
     recover_internal();
     for (std::size_t i = 0; i < state.internal.size(); ++i)
-      state.internal[i] += correction.internal[i];
+      state.internal[i] += internal_correction[i];
   }
 }
 
 template <int dim>
 void System<dim>::move_to(const double step)
 {
-  state.x = base.nodal;
-  state.x.add(step, correction.nodal);
+  state.x = base;
+  state.x.add(step, correction);
   state.x.update_ghost_values();
   for (std::size_t i = 0; i < state.internal.size(); ++i)
-    state.internal[i] = base.internal[i] + step * correction.internal[i];
+    state.internal[i] = internal_base[i] + step * internal_correction[i];
 }
 
 template <int dim>

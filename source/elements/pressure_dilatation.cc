@@ -107,11 +107,13 @@ unsigned int PressureDilatation<dim>::n_elimination() const
 }
 
 template <int dim>
-void PressureDilatation<dim>::start_internal(double* values) const
+void PressureDilatation<dim>::start_internal(const Material& material, const double theta,
+                                             double* values) const
 {
   std::fill(values, values + n_internal(), 0.);
   // The modes are either points, or polynomials of which the first is the constant.
-  std::fill(values + n_modes, values + n_modes + (reduced ? n_modes : 1), 1.);
+  std::fill(values + n_modes, values + n_modes + (reduced ? n_modes : 1),
+            std::pow(material.thermal.split(theta), -3));
 }
 
 template <int dim>

@@ -30,7 +30,7 @@ bool Newton::worth_reusing(const double residual, const double contraction, cons
          std::log(residual / tolerance) < cost * std::log(1. / contraction);
 }
 
-NewtonReport Newton::solve(NonlinearSystem& system) const
+NewtonReport Newton::solve(NonlinearSystem& system, bool reuse) const
 {
   constexpr double smallest_step = 1. / 256., divergence = 1e8;
   NewtonReport report;
@@ -45,9 +45,7 @@ NewtonReport Newton::solve(NonlinearSystem& system) const
   if (!residual.admissible())
     return fail("det F <= 0 at the predicted state");
 
-  bool reuse = false;
   double cost = 1.;
-  // At least one iteration, so that every accepted state comes with a factorised tangent.
   while (!report.converged) {
     if (report.iterations == max_iterations)
       return fail("no convergence in " + std::to_string(max_iterations) + " iterations");
@@ -57,6 +55,7 @@ NewtonReport Newton::solve(NonlinearSystem& system) const
     if (!reuse) {
       report.negative_pivots = linear.negative_pivots;
       ++report.factorisations;
+      report.reused = false;
       cost = linear.cost;
     }
 
@@ -70,6 +69,7 @@ NewtonReport Newton::solve(NonlinearSystem& system) const
         break;
     }
     ++report.iterations;
+    report.reused = report.reused || reuse;
     reuse =
         step == 1. && worth_reusing(residual.norm, residual.norm / report.residuals.back(), cost);
     report.residuals.push_back(residual.norm);

@@ -6,12 +6,15 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 SOURCE = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(SOURCE / "scripts"))
 import accuracy_cases as cases  # noqa: E402
+import accuracy_peer as peer  # noqa: E402
 import accuracy_report as report  # noqa: E402
 import accuracy_table as table  # noqa: E402
+from accuracy_run import AccuracyError  # noqa: E402
 
 
 def row(cells="2 x 8", unknowns=100, seconds=0.1, error=1e-2, **more):
@@ -76,10 +79,34 @@ class Documents(unittest.TestCase):
         self.assertEqual(second[-1], "**fails**: 2 times")
         self.assertEqual(third[2:], ["none measured", "**fails**"])
 
-    def test_peer(self):
+    def test_published_peer(self):
         row_3d = row("2 x 1 x 8", 500, 0.046, -2.6e-3, model="3-D")
         (line,) = report.peer_lines([row_3d])
-        self.assertEqual(line[-3:], ["5.0", "4", "holds"])
+        self.assertEqual(len(line), len(report.PEER_HEADER))
+        self.assertEqual(line[-4:], ["5.0", "", "4", "holds"])
+
+    def test_measured_peer(self):
+        row_3d = row("2 x 1 x 8", 500, 0.1, -2.6e-3, model="3-D", reference=cases.TIP)
+        record = {"assembly": "dolfinx", "unknowns": "1084", "newton_iterations": "18",
+                  "seconds": "0.3", "tip": f"{cases.TIP * 0.999:.12g}"}
+        packaged = peer.converted(record, row_3d)
+        gathered = peer.converted({**record, "assembly": "gathered", "seconds": "0.15"}, row_3d)
+        self.assertAlmostEqual(packaged.error, 1e-3)
+        (line,) = report.peer_lines([row_3d, packaged, gathered])
+        self.assertEqual(line[-4:], ["3.0", "1.5", "4", "**fails**: 1.3 times"])
+        # The peer is no setting of ours.
+        self.assertEqual(report.solved([row_3d, packaged, gathered], "bending", 0.475), [row_3d])
+
+    def test_no_peer(self):
+        with mock.patch.object(peer, "PYTHON", "/bin/false"):
+            with self.assertRaisesRegex(AccuracyError, "needs FEniCSx"):
+                peer.require()
+
+    def test_plan(self):
+        plan = cases.plan([(cases.MEAN, 1), (cases.MEAN, 2), ("standard", 2)], quick=False)
+        self.assertLessEqual(set(cases.PEERS), set(plan))
+        whole, order = plan[cases.halved(2)[0]], plan[cases.halved(2)[-1]]
+        self.assertEqual((whole, order), ([0.475, 0.87, 0.5], [0.5]))
 
     def test_lines_between_markers(self):
         text = f"a\n{report.BEGIN}\nold\n{report.END}\nb\n"

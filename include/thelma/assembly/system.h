@@ -4,7 +4,6 @@
 #include <thelma/base/timings.h>
 #include <thelma/elements/formulation.h>
 #include <thelma/fields/state.h>
-#include <thelma/solvers/anderson.h>
 #include <thelma/solvers/mumps.h>
 #include <thelma/solvers/newton.h>
 
@@ -31,6 +30,9 @@ public:
 
   /// The same with the formulation of @p other.
   void setup(Solved fields, const System& other);
+
+  /// Set the internal unknowns to those of the stress-free body at the uniform temperature.
+  void start_internal();
 
   ResidualReport residual() override;
   LinearReport linear_solve(bool reuse) override;
@@ -96,11 +98,10 @@ private:
   std::unique_ptr<Mumps> solver;
   std::vector<double> scales; ///< per block
   double volume = 0.;         ///< mm^dim
-  BlockVector raw_residual, loads;
+  BlockVector raw_residual, loads, base, correction;
+  std::vector<double> internal_base, internal_correction;
   std::vector<double> internal_residual; ///< of all own cells
   std::vector<double> eliminations;      ///< of all own cells, of the tangent last assembled
-  Unknowns base, correction;
-  Anderson anderson;
 };
 
 template <int dim>

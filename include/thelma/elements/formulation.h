@@ -83,7 +83,11 @@ public:
   /// once the nodal one, @p dx, is known.
   virtual unsigned int n_internal() const { return 0; }
   virtual unsigned int n_elimination() const { return 0; } ///< size of CellResult::elimination
-  virtual void start_internal(double* /*values*/) const {}
+  /// What they are in the stress-free body of @p material at @p theta.
+  virtual void start_internal(const Material& /*material*/, double /*theta*/,
+                              double* /*values*/) const
+  {
+  }
   virtual void eliminate(const Elimination<dim>&, double* /*residual*/) const {}
   virtual void recover(const Elimination<dim>&, const double* /*dx*/, double* /*correction*/) const
   {

@@ -28,8 +28,8 @@ public:
   unsigned int n_internal() const override { return 2 * n_modes; }
   unsigned int n_elimination() const override;
 
-  /// p = 0 and t = 1.
-  void start_internal(double* values) const override;
+  /// p = 0 and t = J_theta.
+  void start_internal(const Material& material, double theta, double* values) const override;
 
   void residual(const CellView<dim>& view, CellResult& result) const override;
   void tangent(const CellView<dim>& view, CellResult& result) const override;

@@ -49,19 +49,24 @@ struct NewtonReport {
   std::vector<double> residuals;
   double min_det_F = 0.;
   long long negative_pivots = 0; ///< of the last tangent
+  bool reused = false;           ///< whether the last tangent has served more than once
 };
 
 /// Newton's method. The line search only keeps det F > 0: near incompressibility the residual of
 /// a good step may well grow before it falls.
 ///
 /// A tangent serves again as long as the residual falls so fast that the iterations it still takes
-/// cost less than a new one. That contraction also bounds how far the tangent has moved since, so
-/// the count of its negative pivots still holds.
+/// cost less than a new one. While the iteration contracts, the tangent of the solution has in
+/// every direction that takes part the signs of the old one, so the count of negative pivots still
+/// holds.
 class Newton
 {
 public:
   void declare(dealii::ParameterHandler& prm);
-  NewtonReport solve(NonlinearSystem& system) const;
+
+  /// @p reuse: the last tangent factorised is that of a state nearby and serves as long as it will.
+  /// Otherwise every state found comes with a tangent, and the count of its negative pivots.
+  NewtonReport solve(NonlinearSystem& system, bool reuse = false) const;
 
 private:
   bool worth_reusing(double residual, double contraction, double cost) const;
