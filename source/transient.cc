@@ -103,6 +103,10 @@ NewtonReport Transient<dim>::step(Predictor<dim>& predictor, const Newton& newto
   NewtonReport report = newton.solve(system);
   if (!report.converged || is_monolithic())
     return report;
+  const std::vector<double> before = times();
+  if (std::all_of(before.begin(), before.end(),
+                  [&](const double t) { return voltage_at(t) == state.voltage; }))
+    predictor.follow_temperature();
   NewtonReport deformed = solve_deformation();
   deformed.iterations += report.iterations;
   deformed.factorisations += report.factorisations;
