@@ -10,7 +10,7 @@ namespace thelma
 namespace
 {
 
-/// The first and the second law since time 0 (theory.md, eqs. 35, 36): what is stored, what came in
+/// The first and the second law since time 0 (theory.md, eqs. 37, 38): what is stored, what came in
 /// through electrodes and walls, what conduction made of entropy, and what is missing.
 template <int dim>
 class Ledger final : public Observable<dim>

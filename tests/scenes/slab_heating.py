@@ -15,7 +15,7 @@ DIFFUSION_TIME = THICKNESS**2 * CAPACITY / (math.pi**2 * CONDUCTIVITY)  # 1.216 
 
 
 def exact(time):
-    """Temperature in the middle (doc/theory.md, eq. 34)."""
+    """Temperature in the middle (doc/theory.md, eq. 36)."""
     series = sum((-1)**k / (2 * k + 1) * math.exp(-(2 * k + 1)**2 * time / DIFFUSION_TIME)
                  for k in range(2000))
     return WALL - (WALL - START) * 4 / math.pi * series

@@ -10,7 +10,7 @@ namespace thelma
 {
 
 /// What the heat balance has at the nodes: the capacity, given heat fluxes, convection and sources,
-/// all by the quadrature whose points are the nodes (theory.md, eq. 31). So the capacity has no
+/// all by the quadrature whose points are the nodes (theory.md, eq. 33). So the capacity has no
 /// entries beside the diagonal, and small time steps cause no undershoots.
 template <int dim>
 class NodalHeat

@@ -5,7 +5,7 @@
 #include <cmath>
 
 /// Heat that deformation and field make: theta h N_a in the heat balance, with the rate of entropy
-/// h of theory.md, eqs. 29 and 32. The capacity is elsewhere (NodalHeat).
+/// h of theory.md, eqs. 31 and 34. The capacity is elsewhere (NodalHeat).
 namespace thelma
 {
 

@@ -47,7 +47,7 @@ private:
 
 /// Error of a step of backward differences of @p order as a part of the distance between its result
 /// and the polynomial of the same order through the accepted states, given their @p times, newest
-/// last (theory.md, eq. 33).
+/// last (theory.md, eq. 35).
 double error_share(double time, const std::vector<double>& times, unsigned int order);
 
 } // namespace thelma
