@@ -150,7 +150,7 @@ TEST_P(Tangent, GivesNewtonSecondOrder)
     correction.add(distance, direction);
     return correction.l2_norm();
   };
-  const double far = error_after_a_step_from(0.5), near = error_after_a_step_from(0.25);
+  const double far = error_after_a_step_from(0.25), near = error_after_a_step_from(0.125);
   EXPECT_GE(std::log2(far / near), 1.8) << far << " " << near;
 }
 
