@@ -3,6 +3,7 @@
 Usage: heated_bending.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
 """
 
+import json
 import math
 import tempfile
 from pathlib import Path
@@ -60,11 +61,40 @@ def check_balance(program, folder):
                 require(min(orders) > order - 0.2, f"order {min(orders):.2f} is not {order}")
 
 
+def per_step(case, folder, transient):
+    """Seconds and factorisations of a step; of a transient run without those that bend it first."""
+    curve = case.curve("seconds", *(["time_s"] if transient else []))
+    report = json.loads((folder / "run.json").read_text())
+    first = sum(t == 0 for t in curve["time_s"]) - 1 if transient else 0
+    steps = len(curve["seconds"]) - 1 - first
+    return ((curve["seconds"][-1] - curve["seconds"][first]) / steps,
+            report["factorisations"] / steps, steps)
+
+
+def check_cost(program, folder):
+    """A step in time on the paper's mesh against one of the isothermal curve. Seconds are printed,
+    factorisations of displacement and potential checked, since those of the temperature are small
+    (one a step)."""
+    still = per_step(program.run("bending_actuator", folder, "--set", "Output/Fields=none"), folder,
+                     False)
+    moving = per_step(program.run(
+        "bending_actuator", folder, "--set", "Output/Fields=none",
+        "--set", "Temperature/Value=293", "--set", "Loading/Control=voltage",
+        "--set", "Loading/Target=9.0798", "--set", "Temperature/Model=transient",
+        "--set", "Temperature/Fixed=back: 353", "--set", "Time/End=40",
+        "--set", "Time/Initial step=0.001", "--set", "Time/Tolerance=0.02"), folder, True)
+    print(f"paper's mesh: {moving[2]} steps in time of {moving[0]:.4f} s against {still[2]} isothermal "
+          f"ones of {still[0]:.4f} s, ratio {moving[0] / still[0]:.2f}; factorisations a step "
+          f"{moving[1] - 1:.2f} and {still[1]:.2f}")
+    require(moving[1] - 1 < 1.5 * still[1], "a step in time takes too many factorisations")
+
+
 def main():
     program, ranks = program_and_ranks(__doc__)
     with tempfile.TemporaryDirectory() as name:
         check_end(program, Path(name), ranks)
         check_balance(program, Path(name))
+        check_cost(program, Path(name))
 
 
 main()
