@@ -144,6 +144,8 @@ void FieldWriter<dim>::write(const Scene<dim>& scene, const std::string& folder,
   const std::string file =
       out.write_vtu_with_pvtu_record(folder + "/", "fields", step, scene.layout.communicator(), 4);
 
+  if (!written.empty() && written.back().first == load)
+    written.pop_back(); // on the way to the state at time 0
   written.emplace_back(load, file);
   on_rank_0(scene.layout.communicator(), [&]() {
     std::ostringstream pvd;
