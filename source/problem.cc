@@ -77,7 +77,7 @@ void Problem<dim>::setup()
     state.x.block(layout.block(Field::temperature)) = theta_start;
   system.setup(layout.is_transient() ? Solved::deformation : Solved::all);
   transient.setup(system, loading.voltage(1.), theta);
-  predictor.setup();
+  predictor.setup(system.element());
   state.start();
 
   results.setup(scene(), theta);

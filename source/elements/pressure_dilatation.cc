@@ -81,11 +81,12 @@ struct PressureDilatation<dim>::Local {
 
 template <int dim>
 void PressureDilatation<dim>::use(const FieldLayout<dim>& layout, const unsigned int n_points,
-                                  const std::vector<Modes>& values, const unsigned int n)
+                                  const std::vector<Modes>& values, const unsigned int n,
+                                  const unsigned int n_enhanced)
 {
-  full.emplace(layout, layout.degree() + 1);
+  full.emplace(layout, layout.degree() + 1, n_enhanced);
   if (n_points != layout.degree() + 1)
-    reduced.emplace(layout, n_points);
+    reduced.emplace(layout, n_points, n_enhanced);
   has_temperature = layout.has(Field::temperature);
   modes = values;
   n_modes = n;
@@ -98,6 +99,19 @@ template <int dim>
 std::vector<dealii::Point<dim>> PressureDilatation<dim>::points(const unsigned int n_points)
 {
   return dealii::QGauss<dim>(n_points).get_points();
+}
+
+template <int dim>
+std::vector<Modes> PressureDilatation<dim>::polynomials(const unsigned int n_points,
+                                                        const unsigned int n_modes)
+{
+  std::vector<Modes> values;
+  for (const auto& point : points(n_points)) {
+    values.push_back({{1.}});
+    for (unsigned int i = 1; i < n_modes; ++i)
+      values.back()[i] = 2. * point[i - 1] - 1.;
+  }
+  return values;
 }
 
 template <int dim>
@@ -120,7 +134,9 @@ template <int dim>
 template <typename Action>
 void PressureDilatation<dim>::with_points(const CellView<dim>& view, const Action& action) const
 {
-  const CellPoints<dim> points(*full, view);
+  const CellPoints<dim> points(*full, view, [&](const unsigned int q, Gradients<dim>& gradients) {
+    enhance(view.index, q, gradients);
+  });
   if (reduced)
     action(points, CellPoints<dim>(*reduced, view));
   else
@@ -130,7 +146,7 @@ void PressureDilatation<dim>::with_points(const CellView<dim>& view, const Actio
 template <int dim>
 void PressureDilatation<dim>::residual(const CellView<dim>& view, CellResult& result) const
 {
-  result.reset(view.cell.dofs.size(), false);
+  result.reset(rule().basis().n_nodes * view.cell.n_components, false);
   with_points(view, [&](const CellPoints<dim>& points, const CellPoints<dim>& own) {
     const Local local(*this, view, own);
     result.min_det_F = local.min_det;
@@ -151,7 +167,7 @@ void PressureDilatation<dim>::residual(const CellView<dim>& view, CellResult& re
 template <int dim>
 void PressureDilatation<dim>::tangent(const CellView<dim>& view, CellResult& result) const
 {
-  result.reset(view.cell.dofs.size(), true);
+  result.reset(rule().basis().n_nodes * view.cell.n_components, true);
   with_points(view, [&](const CellPoints<dim>& points, const CellPoints<dim>& own) {
     const Local local(*this, view, own);
     integrate_energy(view, points, own, local.p, true, result);

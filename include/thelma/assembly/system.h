@@ -53,15 +53,18 @@ public:
   /// What enters through the walls, all of them, at the newest residual.
   HeatInflow heat_inflow() const;
 
-  /// What the own cells store in mJ, in plane strain per mm.
-  Energies energies() const;
-
   /// Call @p visit for each own cell at the current iterate.
   template <typename Visitor>
   void for_each_cell(const Visitor& visit) const;
 
   /// Solve the cells' internal equations at the current nodal values; the tangent stays.
   void relax_internal();
+
+  /// The element formulation, once set up.
+  const Formulation<dim>& element() const { return *formulation; }
+
+  /// What the own cells store in mJ, in plane strain per mm.
+  Energies energies() const;
 
   /// The tangent has this many negative eigenvalues when the state is stable; none may be said of
   /// an unsymmetric one.
@@ -98,6 +101,7 @@ private:
   std::unique_ptr<Mumps> solver;
   std::vector<double> scales; ///< per block
   double volume = 0.;         ///< mm^dim
+  int unstable_inside = 0;    ///< directions in all cells, at the last tangent
   BlockVector raw_residual, loads, base, correction;
   std::vector<double> internal_base, internal_correction;
   std::vector<double> internal_residual; ///< of all own cells
