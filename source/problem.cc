@@ -16,7 +16,9 @@ Problem<dim>::Problem(const MPI_Comm comm, const ParameterFile& file, std::strin
                       std::ostream& console)
     : scene_folder(std::filesystem::path(file.name()).parent_path().string()),
       results(comm, file, std::move(folder), console, timings), materials(file), mesh(comm),
-      system(layout, conditions, state, timings), predictor(layout, conditions, state)
+      system(layout, conditions, nodal_heat, state, timings),
+      transient(layout, conditions, nodal_heat, state, timings),
+      predictor(layout, conditions, state)
 {
   outcome.ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
   declare();
@@ -38,9 +40,10 @@ void Problem<dim>::declare()
     const Section section(prm, {"Temperature"});
     prm.add_parameter("Value", theta,
                       "Uniform temperature in K; where the temperature is a field, its first guess "
-                      "and the temperature at which e is defined.",
+                      "or initial value and the temperature at which e is defined.",
                       Double(1.));
   }
+  nodal_heat.declare(prm);
   loading.declare(prm);
   stepper.declare(prm);
   {
@@ -51,6 +54,7 @@ void Problem<dim>::declare()
                       Selection("reject|keep"));
   }
   newton.declare(prm);
+  transient.declare(prm);
   results.declare(prm);
 }
 
@@ -64,13 +68,15 @@ void Problem<dim>::setup()
   }
   layout.setup(mesh, materials);
   conditions.setup(mesh, layout);
+  nodal_heat.setup(mesh, layout, conditions);
   loading.setup(materials, theta);
   theta_start = materials.reference_temperature();
   state.theta = theta;
   state.x = layout.new_vector();
   if (layout.has(Field::temperature))
     state.x.block(layout.block(Field::temperature)) = theta_start;
-  system.setup();
+  system.setup(layout.is_transient() ? Solved::deformation : Solved::all);
+  transient.setup(system, loading.voltage(1.), theta);
   predictor.setup(system.element());
   state.start();
 
@@ -78,6 +84,9 @@ void Problem<dim>::setup()
 
   outcome.modelled = layout.summary();
   outcome.modelled.push_back(loading.description());
+  if (layout.is_transient())
+    for (const std::string& line : transient.summary())
+      outcome.modelled.push_back(line);
   outcome.cells = mesh.triangulation().n_active_cells();
   for (const Field field : layout.fields())
     outcome.unknowns[field_name(field)] = layout.n_dofs(field);
@@ -90,6 +99,8 @@ Outcome Problem<dim>::run()
   heat();
   if (outcome.code == ExitCode::success && layout.has(Field::potential))
     apply_voltage();
+  if (outcome.code == ExitCode::success && layout.is_transient())
+    evolve();
   results.finish(scene(), outcome);
   return outcome;
 }
@@ -100,11 +111,11 @@ void Problem<dim>::heat()
   Stepper steps;
   steps.start(1e-4, 1.);
   const auto prescribe = [&](const double part) {
-    if (!layout.has(Field::temperature))
-      state.theta = theta_start + part * (theta - theta_start);
+    conditions.apply(0., theta_start, part, state.x);
+    nodal_heat.apply(theta_start, part, part);
+    set_uniform_temperature(theta_start + part * (theta - theta_start));
     if (state.path().size() == 1)
       system.start_internal(); // free expansion is a better guess than none
-    conditions.apply(0., theta_start, part, state.x);
   };
   NewtonReport last;
   const auto remember = [&](double, const NewtonReport& report) { last = report; };
@@ -116,20 +127,26 @@ void Problem<dim>::heat()
                                             " K while heating: " + last_failure);
 }
 
+/// In a transient scene up to the voltage at time 0.
 template <int dim>
 void Problem<dim>::apply_voltage()
 {
+  if (layout.is_transient() && transient.initial_voltage() == 0.)
+    return;
   stepper.start(loading.resolution());
+  const double target = layout.is_transient() ? transient.initial_voltage() : loading.voltage(1.);
   const auto prescribe = [&](const double load) {
-    state.voltage = loading.voltage(load);
+    state.voltage = load * target;
     conditions.apply(state.voltage, theta_start, 1., state.x);
+    if (layout.is_transient())
+      set_uniform_temperature(theta);
   };
   leave_rest(prescribe);
   if (!follow(stepper, LoadSymmetry::voltage, prescribe,
               [&](const double load, const NewtonReport& report) { record(load, report); })) {
     prescribe(state.accepted_load());
     explain_end(stepper);
-  } else if (loading.expects_pull_in()) {
+  } else if (loading.expects_pull_in() && !layout.is_transient()) {
     outcome = failure("target reached", "the target was reached but a pull-in was expected");
     outcome.code = ExitCode::expectation_failed;
   }
@@ -244,17 +261,6 @@ void Problem<dim>::explain_end(const Stepper& steps)
 }
 
 template <int dim>
-void Problem<dim>::record(const double load, const NewtonReport& report)
-{
-  const long long unstable = unstable_directions(report);
-  results.add(scene(),
-              {load, loading.field(state.voltage), stepper.step(), unstable,
-               unstable != last_unstable ? "bifurcation" : ""},
-              report);
-  last_unstable = unstable;
-}
-
-template <int dim>
 Outcome Problem<dim>::failure(const std::string& name, const std::string& reason) const
 {
   Outcome failed = outcome;
@@ -277,12 +283,6 @@ template <int dim>
 bool Problem<dim>::finished() const
 {
   return results.finished(parameters(), {mesh.path(scene_folder), "/proc/self/exe"});
-}
-
-template <int dim>
-Scene<dim> Problem<dim>::scene() const
-{
-  return {materials, mesh, layout, conditions, system, state};
 }
 
 template class Problem<2>;

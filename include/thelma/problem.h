@@ -4,6 +4,7 @@
 #include <thelma/base/parameters.h>
 #include <thelma/output/results.h>
 #include <thelma/solvers/stepper.h>
+#include <thelma/transient.h>
 
 #include <functional>
 #include <iosfwd>
@@ -37,7 +38,9 @@ private:
 
   void declare();
   void heat();
+  void set_uniform_temperature(double value);
   void apply_voltage();
+  void evolve();
   void leave_rest(const std::function<void(double)>& prescribe);
   bool follow(Stepper& steps, LoadSymmetry symmetry, const std::function<void(double)>& prescribe,
               const Record& record);
@@ -46,7 +49,7 @@ private:
   void explain_end(const Stepper& steps);
   void record(double load, const NewtonReport& report);
   Outcome failure(const std::string& name, const std::string& reason) const;
-  Scene<dim> scene() const;
+  Scene<dim> scene();
 
   std::string scene_folder; ///< from which the scene names its files
   dealii::ParameterHandler prm;
@@ -57,8 +60,10 @@ private:
   Mesh<dim> mesh;
   FieldLayout<dim> layout;
   BoundaryConditions<dim> conditions;
+  NodalHeat<dim> nodal_heat;
   State state;
   mutable System<dim> system;
+  Transient<dim> transient;
   Predictor<dim> predictor;
   Loading loading;
   Newton newton;

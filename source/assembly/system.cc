@@ -11,8 +11,8 @@ namespace thelma
 
 template <int dim>
 System<dim>::System(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
-                    State& state, Timings& timings)
-    : layout(layout), conditions(conditions), state(state), timings(timings)
+                    const NodalHeat<dim>& heat, State& state, Timings& timings)
+    : layout(layout), conditions(conditions), heat(heat), state(state), timings(timings)
 {
 }
 
@@ -30,19 +30,28 @@ void System<dim>::declare(dealii::ParameterHandler& prm)
 }
 
 template <int dim>
-void System<dim>::setup()
+void System<dim>::setup(const Solved fields)
 {
+  solved = fields;
   const auto timer = timings.measure("setup");
   formulation = formulations<dim>().create(formulation_name);
   formulation->setup(layout);
-  matrix.setup(layout, conditions);
+  const bool heated = layout.has(Field::temperature);
+  const auto is_solved = [heated, fields](const Cell<dim>& cell, const unsigned int c) {
+    const bool temperature = heated && c == cell.n_components - 1;
+    return fields == Solved::all || temperature == (fields == Solved::temperature);
+  };
+  matrix.setup(layout, conditions,
+               [is_solved](const Cell<dim>& cell, const unsigned int c, const unsigned int d) {
+                 return is_solved(cell, c) && is_solved(cell, d);
+               });
   solver = std::make_unique<Mumps>(layout.communicator(), is_symmetric());
   state.internal.resize(layout.cells().size() * formulation->n_internal());
   start_internal();
   internal_residual.assign(state.internal.size(), 0.);
   eliminations.assign(layout.cells().size() * formulation->n_elimination(), 0.);
   raw_residual = layout.new_vector();
-  base = correction = layout.new_vector();
+  base = correction = loads = layout.new_vector();
   internal_base = internal_correction = state.internal;
   state.x.update_ghost_values();
   compute_scales();
@@ -55,6 +64,13 @@ void System<dim>::start_internal()
   for (std::size_t cell = 0; cell < layout.cells().size(); ++cell)
     formulation->start_internal(*layout.cells()[cell].material, state.theta,
                                 state.internal.data() + cell * n_internal);
+}
+
+template <int dim>
+void System<dim>::setup(const Solved fields, const System& other)
+{
+  formulation_name = other.formulation_name;
+  setup(fields);
 }
 
 template <int dim>
@@ -111,12 +127,19 @@ ResidualReport System<dim>::residual()
     layout.scatter(view.cell, result.residual, raw_residual);
   });
   raw_residual.compress(dealii::VectorOperation::add);
+  if (solved != Solved::deformation)
+    heat.add_residual(state, raw_residual);
+  raw_residual -= loads;
+  clear_given(raw_residual);
 
   const BlockVector residual = free_residual();
+  // Pressures answer to a temperature, which does not answer to them.
   double norm =
-      std::sqrt(dealii::Utilities::MPI::sum(internal_error, layout.communicator()) / volume);
+      solved == Solved::temperature
+          ? 0.
+          : std::sqrt(dealii::Utilities::MPI::sum(internal_error, layout.communicator()) / volume);
   for (unsigned int b = 0; b < residual.n_blocks(); ++b)
-    norm = std::max(norm, residual.block(b).l2_norm() / scales[b]);
+    norm = std::max(norm, residual.block(b).l2_norm() / scale(b));
   min_det_F = dealii::Utilities::MPI::min(min_det_F, layout.communicator());
   if (std::isnan(norm))
     norm = std::numeric_limits<double>::infinity();
@@ -146,6 +169,8 @@ void System<dim>::assemble_tangent()
     keep_elimination(view.index, result);
   });
   matrix.finish();
+  if (solved != Solved::deformation)
+    heat.add_tangent(state, matrix);
   unstable_inside = dealii::Utilities::MPI::sum(unstable, layout.communicator());
 }
 
@@ -168,6 +193,7 @@ LinearReport System<dim>::linear_solve(const bool reuse)
   eliminate_internal(correction);
   correction *= -1.;
   conditions.constraints().set_zero(correction);
+  clear_given(correction);
   solver->solve(correction);
   conditions.constraints().set_zero(correction);
   recover_internal();
@@ -243,18 +269,6 @@ void System<dim>::relax_internal()
     }
     settled = !(change > negligible * size);
   }
-}
-
-template <int dim>
-Energies System<dim>::energies() const
-{
-  Energies sum;
-  for_each_cell([&](const CellView<dim>& view) {
-    const Energies one = formulation->energies(view);
-    sum.elastic += one.elastic;
-    sum.electric += one.electric;
-  });
-  return sum;
 }
 
 template <int dim>

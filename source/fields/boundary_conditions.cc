@@ -124,12 +124,9 @@ void BoundaryConditions<dim>::fix_temperatures(const Mesh<dim>& mesh,
                                                const FieldLayout<dim>& layout)
 {
   const std::string place = "section Temperature, entry 'Fixed'";
-  if (layout.has(Field::temperature) == temperatures.empty())
-    throw InputError(place + (temperatures.empty()
-                                  ? ": a steady temperature field needs a surface of known "
-                                    "temperature"
-                                  : ": a uniform temperature is set by 'Value'; remove this entry "
-                                    "or choose Model = steady"));
+  if (!layout.has(Field::temperature) && !temperatures.empty())
+    throw InputError(place + ": a uniform temperature is set by 'Value'; remove this entry or "
+                             "choose Model = steady");
   for (const auto& [surface, theta] : temperatures)
     fix(mesh, layout, surface, place, layout.first_component(Field::temperature), theta,
         heated_dofs);

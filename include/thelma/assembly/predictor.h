@@ -38,6 +38,10 @@ public:
   /// Write the guess at @p load into the State's iterate.
   void predict(double load, LoadSymmetry symmetry);
 
+  /// Write a better guess of the deformation once the temperature of the iterate is known: by the
+  /// weights with which the accepted states make this temperature best.
+  void follow_temperature();
+
   /// How far the iterate, now converged, lies from the guess, as a part of its distance from the
   /// last accepted state. Above 1 it is probably on another branch.
   double surprise() const;
@@ -46,6 +50,10 @@ public:
   void adapt(double surprise);
 
 private:
+  std::vector<State::Accepted> recent() const;
+  std::vector<double> temperature_weights(const std::vector<State::Accepted>& path) const;
+  void combine(const std::vector<State::Accepted>& path, const std::vector<double>& even,
+               const std::vector<double>& odd);
   void factorise();
   void follow_rotation(const std::vector<State::Accepted>& path,
                        const std::vector<double>& weights);

@@ -33,6 +33,9 @@ public:
   /// Potential unknowns of all electrodes with their multiple of the voltage.
   const std::map<dealii::types::global_dof_index, double>& driven() const { return driven_dofs; }
 
+  /// Temperature unknowns of the walls with their value in K.
+  const std::map<dealii::types::global_dof_index, double>& heated() const { return heated_dofs; }
+
   /// Unconstrained unknowns of @p field over all ranks.
   dealii::types::global_dof_index n_free(const FieldLayout<dim>& layout, Field field) const;
 

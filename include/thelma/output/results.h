@@ -21,6 +21,7 @@ namespace thelma
 struct PathPoint {
   double load, e;
   double step_size;              ///< of the next step
+  double part;                   ///< of the whole path
   long long unstable_directions; ///< of a symmetric system
   std::string event;
 };
@@ -57,6 +58,9 @@ public:
   void finish(const Scene<dim>& scene, Outcome& outcome);
 
 private:
+  /// Where the fields of the state stand in the .pvd: time or load.
+  static double abscissa(const Scene<dim>& scene, double load);
+
   void print_step(const Scene<dim>& scene, const PathPoint& point, const NewtonReport& report);
 
   MPI_Comm comm;
