@@ -261,13 +261,14 @@ void System<dim>::relax_internal()
       keep_elimination(view.index, result);
     });
     recover_internal();
-    double change = 0., size = 0.;
+    std::vector<double> own(2, 0.), largest(2); // correction and value
     for (std::size_t i = 0; i < state.internal.size(); ++i) {
       state.internal[i] += internal_correction[i];
-      change = std::max(change, std::abs(internal_correction[i]));
-      size = std::max(size, std::abs(state.internal[i]));
+      own[0] = std::max(own[0], std::abs(internal_correction[i]));
+      own[1] = std::max(own[1], std::abs(state.internal[i]));
     }
-    settled = !(change > negligible * size);
+    dealii::Utilities::MPI::max(own, layout.communicator(), largest);
+    settled = !(largest[0] > negligible * largest[1]);
   }
 }
 
