@@ -16,7 +16,8 @@ Problem<dim>::Problem(const MPI_Comm comm, const ParameterFile& file, std::strin
                       std::ostream& console)
     : scene_folder(std::filesystem::path(file.name()).parent_path().string()),
       results(comm, file, std::move(folder), console, timings), materials(file), mesh(comm),
-      system(layout, conditions, state, timings), predictor(layout, conditions, state)
+      system(layout, conditions, state, timings), predictor(layout, conditions, state),
+      path_following(system, state, predictor, newton)
 {
   outcome.ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
   declare();
@@ -50,6 +51,7 @@ void Problem<dim>::declare()
                       "is kept, with an event in the curve (`keep`).",
                       Selection("reject|keep"));
   }
+  path_following.declare(prm);
   newton.declare(prm);
   results.declare(prm);
 }
@@ -75,6 +77,8 @@ void Problem<dim>::setup()
   state.start();
 
   results.setup(scene(), theta);
+  for (const auto& [column, value] : loading.until())
+    results.require_column(column, "section Loading, entry 'Until'");
 
   outcome.modelled = layout.summary();
   outcome.modelled.push_back(loading.description());
@@ -127,6 +131,8 @@ void Problem<dim>::apply_voltage()
   leave_rest(prescribe);
   if (!follow(stepper, LoadSymmetry::voltage, prescribe,
               [&](const double load, const NewtonReport& report) { record(load, report); })) {
+    if (path_following.is_automatic())
+      return follow_arc(prescribe);
     prescribe(state.accepted_load());
     explain_end(stepper);
   } else if (loading.expects_pull_in()) {
@@ -177,14 +183,26 @@ bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
       state.restore();
       predictor.adapt(std::numeric_limits<double>::infinity());
       steps.cut_back();
+      if (hands_over(symmetry, true))
+        return false;
       continue;
     }
     predictor.adapt(surprise);
     state.accept(load);
     steps.accept(report.iterations, state.estimated_limit());
     on_accept(load, report);
+    if (!steps.finished() && hands_over(symmetry, false))
+      return false;
   }
   return steps.finished();
+}
+
+/// Whether a path under voltage goes on along its arc.
+template <int dim>
+bool Problem<dim>::hands_over(const LoadSymmetry symmetry, const bool failed) const
+{
+  return symmetry == LoadSymmetry::voltage && path_following.is_automatic() &&
+         (failed || path_following.turns_soon(stepper.step()));
 }
 
 template <int dim>
@@ -204,7 +222,8 @@ NewtonReport Problem<dim>::solve() const
     ++report.factorisations;
   }
   const long long unstable = unstable_directions(report);
-  if (report.converged && unstable != 0 && unstable_states == "reject") {
+  const bool rejects = unstable_states == "reject" || path_following.is_automatic();
+  if (report.converged && unstable != 0 && rejects) {
     report.converged = false;
     report.reason = "the state found has " + std::to_string(unstable) + " unstable direction(s)";
   }
@@ -248,7 +267,7 @@ void Problem<dim>::record(const double load, const NewtonReport& report)
 {
   const long long unstable = unstable_directions(report);
   results.add(scene(),
-              {load, loading.field(state.voltage), stepper.step(), unstable,
+              {load, loading.field(state.voltage), stepper.step(), load, unstable,
                unstable != last_unstable ? "bifurcation" : ""},
               report);
   last_unstable = unstable;

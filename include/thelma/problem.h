@@ -3,6 +3,7 @@
 #include <thelma/assembly/predictor.h>
 #include <thelma/base/parameters.h>
 #include <thelma/output/results.h>
+#include <thelma/path_following.h>
 #include <thelma/solvers/stepper.h>
 
 #include <functional>
@@ -41,9 +42,14 @@ private:
   void leave_rest(const std::function<void(double)>& prescribe);
   bool follow(Stepper& steps, LoadSymmetry symmetry, const std::function<void(double)>& prescribe,
               const Record& record);
+  bool hands_over(LoadSymmetry symmetry, bool failed) const;
   NewtonReport solve() const;
   long long unstable_directions(const NewtonReport& report) const;
   void explain_end(const Stepper& steps);
+
+  /// On from the last accepted state along the arc of the path; @p prescribe as for follow().
+  void follow_arc(const std::function<void(double)>& prescribe);
+  void explain_end(typename PathFollowing<dim>::End end);
   void record(double load, const NewtonReport& report);
   Outcome failure(const std::string& name, const std::string& reason) const;
   Scene<dim> scene() const;
@@ -63,6 +69,7 @@ private:
   Loading loading;
   Newton newton;
   Stepper stepper;
+  PathFollowing<dim> path_following;
 
   unsigned int dimension = dim;
   double theta = 293., theta_start = 293.; ///< K

@@ -27,6 +27,10 @@ void Loading::declare(dealii::ParameterHandler& prm)
                     "A pull-in is enclosed between two fields e this far apart; also the smallest "
                     "load step.",
                     Double(1e-12));
+  prm.add_parameter("Until", until_values,
+                    "Where a path that is followed through instabilities ends before Target, as "
+                    "`column: value` of the curve.",
+                    Map(Anything(), Double(), 0, 1));
   prm.add_parameter("Expected end", expected_end,
                     "`target`: an instability before the target is exit code 3; `pull-in`: it is "
                     "the aim.",

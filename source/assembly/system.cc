@@ -42,8 +42,8 @@ void System<dim>::setup()
   internal_residual.assign(state.internal.size(), 0.);
   eliminations.assign(layout.cells().size() * formulation->n_elimination(), 0.);
   raw_residual = layout.new_vector();
-  base = correction = layout.new_vector();
-  internal_base = internal_correction = state.internal;
+  base = nodal_correction = nodal_response = layout.new_vector();
+  internal_base = internal_correction = internal_response = state.internal;
   state.x.update_ghost_values();
   compute_scales();
 }
@@ -160,15 +160,21 @@ LinearReport System<dim>::linear_solve(const bool reuse)
       return report;
   }
   const auto timer = timings.measure("linear solve");
-  correction.zero_out_ghost_values();
-  correction = raw_residual;
-  eliminate_internal(correction);
-  correction *= -1.;
-  conditions.constraints().set_zero(correction);
-  solver->solve(correction);
-  conditions.constraints().set_zero(correction);
-  recover_internal();
+  nodal_correction.zero_out_ghost_values();
+  nodal_correction = raw_residual;
+  eliminate_internal(nodal_correction);
+  nodal_correction *= -1.;
+  solve_tangent(nodal_correction);
+  recover_internal(nodal_correction, internal_correction);
   return report;
+}
+
+template <int dim>
+void System<dim>::solve_tangent(BlockVector& vector)
+{
+  conditions.constraints().set_zero(vector);
+  solver->solve(vector);
+  conditions.constraints().set_zero(vector);
 }
 
 template <int dim>
@@ -202,19 +208,18 @@ void System<dim>::eliminate_internal(BlockVector& nodal) const
 }
 
 template <int dim>
-void System<dim>::recover_internal()
+void System<dim>::recover_internal(BlockVector& x, std::vector<double>& values) const
 {
   const unsigned int n_internal = formulation->n_internal();
   if (n_internal == 0)
     return;
   std::vector<double> dx;
-  correction.update_ghost_values();
+  x.update_ghost_values();
   for (std::size_t index = 0; index < layout.cells().size(); ++index) {
-    layout.gather(layout.cells()[index], correction, dx);
-    formulation->recover(elimination(index), dx.data(),
-                         internal_correction.data() + index * n_internal);
+    layout.gather(layout.cells()[index], x, dx);
+    formulation->recover(elimination(index), dx.data(), values.data() + index * n_internal);
   }
-  correction.zero_out_ghost_values();
+  x.zero_out_ghost_values();
 }
 
 template <int dim>
@@ -222,14 +227,14 @@ void System<dim>::relax_internal()
 {
   // The dilatation is linear in its residual and settles first, the pressure follows it.
   CellResult result;
-  correction = 0.;
+  nodal_correction = 0.;
   for (int pass = 0; pass < 2; ++pass) {
     residual();
     for_each_cell([&](const CellView<dim>& view) {
       formulation->tangent(view, result);
       keep_elimination(view.index, result);
     });
-    recover_internal();
+    recover_internal(nodal_correction, internal_correction);
     for (std::size_t i = 0; i < state.internal.size(); ++i)
       state.internal[i] += internal_correction[i];
   }
@@ -239,7 +244,7 @@ template <int dim>
 void System<dim>::move_to(const double step)
 {
   state.x = base;
-  state.x.add(step, correction);
+  state.x.add(step, nodal_correction);
   state.x.update_ghost_values();
   for (std::size_t i = 0; i < state.internal.size(); ++i)
     state.internal[i] = internal_base[i] + step * internal_correction[i];

@@ -4,6 +4,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -119,6 +120,30 @@ void Results<dim>::add(const Scene<dim>& scene, const PathPoint& point, const Ne
 }
 
 template <int dim>
+void Results<dim>::require_column(const std::string& column, const std::string& place) const
+{
+  std::vector<std::string> known;
+  for (const auto& entry : observed)
+    for (const std::string& name : entry.second->columns())
+      known.push_back(name);
+  if (std::find(known.begin(), known.end(), column) == known.end())
+    throw InputError(place + ": no observable has the column '" + column +
+                     "'; known: " + comma_separated(known));
+}
+
+template <int dim>
+double Results<dim>::value(const Scene<dim>& scene, const std::string& column)
+{
+  for (const auto& entry : observed) {
+    const std::vector<std::string> columns = entry.second->columns();
+    const auto found = std::find(columns.begin(), columns.end(), column);
+    if (found != columns.end())
+      return entry.second->evaluate(scene)[found - columns.begin()];
+  }
+  return 0.;
+}
+
+template <int dim>
 void Results<dim>::print_step(const Scene<dim>& scene, const PathPoint& point,
                               const NewtonReport& report)
 {
@@ -129,9 +154,9 @@ void Results<dim>::print_step(const Scene<dim>& scene, const PathPoint& point,
        << std::setprecision(1) << "  residual " << report.residuals.back() << std::fixed
        << std::setprecision(4) << "  min det F " << report.min_det_F << std::defaultfloat
        << std::setprecision(3) << "  step size " << point.step_size;
-  if (point.load > 0.)
+  if (point.part > 0.)
     line << "  left at most " << std::fixed << std::setprecision(1)
-         << stopwatch.seconds() * (1. - point.load) / point.load << " s";
+         << stopwatch.seconds() * (1. - point.part) / point.part << " s";
   console << line.str() << "\n" << std::flush;
 }
 

@@ -4,6 +4,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <map>
 #include <string>
 
 namespace thelma
@@ -25,11 +26,15 @@ public:
   /// Width of the bracket around a pull-in, as a load factor.
   double resolution() const { return bracket / field(target_voltage); }
 
+  /// Column of the curve at whose value the path ends, if there is one.
+  const std::map<std::string, double>& until() const { return until_values; }
+
   bool expects_pull_in() const { return expected_end == "pull-in"; }
   std::string description() const;
 
 private:
   std::string control = "e", expected_end = "target", film_material;
+  std::map<std::string, double> until_values;
   double target = 1., film_thickness = 1., bracket = 1e-4;
   double target_voltage = 0., field_per_voltage = 0.;
 };

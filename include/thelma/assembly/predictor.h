@@ -38,6 +38,10 @@ public:
   /// Write the guess at @p load into the State's iterate.
   void predict(double load, LoadSymmetry symmetry);
 
+  /// The same at @p place of a path on which the accepted states stand at @p places, also between
+  /// them; returns the load there.
+  double predict_along(const std::vector<double>& places, double place);
+
   /// How far the iterate, now converged, lies from the guess, as a part of its distance from the
   /// last accepted state. Above 1 it is probably on another branch.
   double surprise() const;
@@ -46,6 +50,13 @@ public:
   void adapt(double surprise);
 
 private:
+  /// The newest accepted states that the present order asks for.
+  std::vector<State::Accepted> known_path() const;
+
+  /// @p even weighs the states for all fields that reversing the load does not reverse, @p odd for
+  /// the others.
+  void combine(const std::vector<State::Accepted>& path, const std::vector<double>& even,
+               const std::vector<double>& odd);
   void factorise();
   void follow_rotation(const std::vector<State::Accepted>& path,
                        const std::vector<double>& weights);

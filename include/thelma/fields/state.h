@@ -11,8 +11,8 @@ namespace thelma
 class State
 {
 public:
-  /// Begin a path at load 0 with the iterate as its accepted start.
-  void start();
+  /// Begin a path at @p load with the iterate as its accepted start.
+  void start(double load = 0.);
 
   /// Remember the iterate as the converged state at the load factor @p load.
   void accept(double load);

@@ -1,0 +1,86 @@
+"""The hard cases of prm/hard (doc/hard_cases.md) in their small size, each against what is known.
+
+    hard_cases.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
+"""
+
+import tempfile
+import time
+from pathlib import Path
+
+from scene import program_and_ranks, require
+import gent_exact
+import planar_exact
+
+LIMIT_TOLERANCE = 1e-6  # in e
+STATE_TOLERANCE = 1e-6  # in e at the lambda_3 of a state
+
+
+def options(**entries):
+    """Command line of entries written as Section__Entry_name=value."""
+    words = []
+    for name, value in entries.items():
+        words += ["--set", name.replace("__", "/").replace("_", " ") + f"={value}"]
+    return words
+
+
+def events(curve, kind):
+    """Rows of the curve with that event."""
+    return [row for row, event in enumerate(curve["event"]) if event == kind]
+
+
+def pull_in_loop(program, folder, ranks):
+    """(a) Both branches and the limit point of the planar actuator."""
+    for formulation in ("selective reduced", "mean dilatation"):
+        case = program.run("hard/pull_in_loop", folder, ranks=ranks,
+                           *options(Discretisation__Formulation=formulation))
+        curve = case.curve("e", "lambda_3", "unstable_directions", "event")
+        material = planar_exact.Material()
+        exact = material.e(planar_exact.curve(material, 293, curve["lambda_3"])[1], 293)
+        error = max(abs(curve["e"] - exact))
+        require(error < STATE_TOLERANCE, f"a state is off by {error} in e")
+        limit = planar_exact.limit_point(material, 293)
+        rows = events(curve, "limit point")
+        require(len(rows) == 1, f"{len(rows)} limit points")
+        e = curve["e"][rows[0]]
+        require(abs(e - limit.e) < LIMIT_TOLERANCE, f"limit point at {e}, exact {limit.e}")
+        require(abs(curve["lambda_3"][-1] - 0.3) < 1e-9, "the path did not end at lambda_3 = 0.3")
+        stable = curve["lambda_3"] > limit.lambda_3 + 1e-6
+        require(not any(curve["unstable_directions"][stable]), "unstable before the limit point")
+        require(all(curve["unstable_directions"][rows[0] + 1:]), "stable beyond the limit point")
+        print(f"  {formulation}: limit point e - exact {e - limit.e:.1e}, largest error of a state "
+              f"{error:.1e} in e, {len(curve['e'])} rows")
+
+
+def snap_through(program, folder, ranks):
+    """(b) Both limit points of a Gent film, as compressible as it is and nearly incompressible."""
+    for bulk, ratio, reference, tolerance in ((50, 1e3, 1e3, LIMIT_TOLERANCE),
+                                              (50000, 1e6, None, 1e-4)):
+        case = program.run("hard/snap_through", folder, ranks=ranks,
+                           *options(Materials__elastomer__Bulk_modulus=bulk))
+        curve = case.curve("e", "lambda_3", "event")
+        rows = events(curve, "limit point")
+        require(len(rows) == 2, f"{len(rows)} limit points")
+        require(len(curve["e"]) < 120, f"{len(curve['e'])} steps")
+        found = curve["e"][rows]
+        exact = [e for e, _ in gent_exact.limit_points(100, reference)]
+        require(max(abs(found - exact)) < tolerance, f"limit points at {found}, exact {exact}")
+        print(f"  K/mu = {ratio:g}: limit points {found[0]:.8f}, {found[1]:.8f}, "
+              f"{'exact' if reference else 'closed form'} {exact[0]:.8f}, {exact[1]:.8f}, "
+              f"{len(curve['e'])} rows")
+
+
+CASES = [pull_in_loop, snap_through]
+
+
+def main():
+    program, all_ranks = program_and_ranks(__doc__)
+    for case in CASES:
+        for ranks in all_ranks:
+            start = time.time()
+            print(f"{case.__doc__} ({ranks} rank(s))", flush=True)
+            with tempfile.TemporaryDirectory() as folder:
+                case(program, Path(folder), ranks)
+            print(f"  {time.time() - start:.1f} s", flush=True)
+
+
+main()
