@@ -55,6 +55,8 @@ int main(int argc, char** argv)
   std::printf("microseconds per cell, scatter included\n");
   for (const int degree : {1, 2})
     for (const std::string& formulation : formulations<3>().names()) {
+      if (degree == 2 && formulation == "enhanced strain")
+        continue; // for linear elements only
       measure<2>("set File = meshes/bilayer_plane.geo", "x3_min: u3, pin: u1", formulation, degree);
       measure<3>("set File = meshes/bilayer.geo", "x3_min: u3, x2_min: u2, x2_max: u2, pin: u1",
                  formulation, degree);

@@ -73,7 +73,7 @@ void Problem<dim>::setup()
   if (layout.has(Field::temperature))
     state.x.block(layout.block(Field::temperature)) = theta_start;
   system.setup();
-  predictor.setup();
+  predictor.setup(system.element());
   state.start();
 
   results.setup(scene(), theta);

@@ -54,8 +54,9 @@ Tensor3<2> rotation_effect(const std::vector<Tensor3<2>>& F, const std::vector<d
 } // namespace
 
 template <int dim>
-void Predictor<dim>::setup()
+void Predictor<dim>::setup(const Formulation<dim>& formulation_)
 {
+  formulation = &formulation_;
   full.emplace(layout, layout.degree() + 1);
   reduced.emplace(layout, layout.degree());
   laplacian.reset();
@@ -136,13 +137,10 @@ void Predictor<dim>::combine(const std::vector<State::Accepted>& path,
     for (std::size_t k = 0; k < path.size(); ++k)
       state.x.block(b).add(potential ? odd[k] : even[k], path[k].x.block(b));
   }
-  state.internal.assign(state.internal.size(), 0.);
-  for (std::size_t k = 0; k < path.size(); ++k)
-    for (std::size_t i = 0; i < state.internal.size(); ++i)
-      state.internal[i] += even[k] * path[k].internal[i];
   if (path.size() > 1)
     follow_rotation(path, even);
   state.x.update_ghost_values();
+  follow_cells(path, even);
   guess = state.x;
 }
 
@@ -188,6 +186,34 @@ void Predictor<dim>::follow_rotation(const std::vector<State::Accepted>& path,
   conditions.constraints().set_zero(moments);
   laplacian->solve(moments);
   state.x.block(0) += moments.block(0);
+}
+
+/// The internal unknowns, as seen from the cells at the guess.
+template <int dim>
+void Predictor<dim>::follow_cells(const std::vector<State::Accepted>& path,
+                                  const std::vector<double>& weights)
+{
+  const unsigned int n = formulation->n_internal();
+  state.internal.assign(state.internal.size(), 0.);
+  if (n == 0)
+    return;
+  std::vector<double> x, values(n);
+  for (std::size_t index = 0; index < layout.cells().size(); ++index) {
+    const Cell<dim>& cell = layout.cells()[index];
+    double* guessed = state.internal.data() + index * n;
+    const auto view = [&](const BlockVector& iterate) {
+      layout.gather(cell, iterate, x);
+      return CellView<dim>{index,   cell,        x.data(),
+                           nullptr, state.theta, layout.has(Field::temperature)};
+    };
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      std::copy_n(path[k].internal.begin() + index * n, n, values.begin());
+      formulation->pull_back(view(path[k].x), values.data());
+      for (unsigned int i = 0; i < n; ++i)
+        guessed[i] += weights[k] * values[i];
+    }
+    formulation->push_forward(view(state.x), guessed);
+  }
 }
 
 template <int dim>

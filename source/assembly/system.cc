@@ -138,12 +138,15 @@ void System<dim>::assemble_tangent()
   const auto timer = timings.measure("tangent");
   CellResult result;
   matrix.clear();
+  int unstable = 0;
   for_each_cell([&](const CellView<dim>& view) {
     formulation->tangent(view, result);
     matrix.add(view.index, view.cell, result.tangent);
+    unstable += result.unstable_inside;
     keep_elimination(view.index, result);
   });
   matrix.finish();
+  unstable_inside = dealii::Utilities::MPI::sum(unstable, layout.communicator());
 }
 
 template <int dim>
@@ -225,19 +228,38 @@ void System<dim>::recover_internal(BlockVector& x, std::vector<double>& values) 
 template <int dim>
 void System<dim>::relax_internal()
 {
-  // The dilatation is linear in its residual and settles first, the pressure follows it.
+  constexpr int most = 20;
+  constexpr double negligible = 1e-13; // of the largest
   CellResult result;
   nodal_correction = 0.;
-  for (int pass = 0; pass < 2; ++pass) {
+  bool settled = false;
+  for (int pass = 0; pass < most && !settled; ++pass) {
     residual();
     for_each_cell([&](const CellView<dim>& view) {
       formulation->tangent(view, result);
       keep_elimination(view.index, result);
     });
     recover_internal(nodal_correction, internal_correction);
-    for (std::size_t i = 0; i < state.internal.size(); ++i)
+    double change = 0., size = 0.;
+    for (std::size_t i = 0; i < state.internal.size(); ++i) {
       state.internal[i] += internal_correction[i];
+      change = std::max(change, std::abs(internal_correction[i]));
+      size = std::max(size, std::abs(state.internal[i]));
+    }
+    settled = !(change > negligible * size);
   }
+}
+
+template <int dim>
+Energies System<dim>::energies() const
+{
+  Energies sum;
+  for_each_cell([&](const CellView<dim>& view) {
+    const Energies one = formulation->energies(view);
+    sum.elastic += one.elastic;
+    sum.electric += one.electric;
+  });
+  return sum;
 }
 
 template <int dim>
@@ -257,7 +279,7 @@ long long System<dim>::unstable_directions(const long long negative_pivots) cons
       layout.has(Field::potential)
           ? static_cast<long long>(conditions.n_free(layout, Field::potential))
           : 0;
-  return negative_pivots - expected;
+  return negative_pivots + unstable_inside - expected;
 }
 
 template class System<2>;

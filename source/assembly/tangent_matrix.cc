@@ -23,26 +23,47 @@ void TangentMatrix<dim>::setup(const FieldLayout<dim>& layout,
   find_positions(layout);
 }
 
-/// Whether the unknowns @p i and @p j of @p cell are free and have an entry.
+/// The unknowns of @p cell that have an entry in the row of its unknown @p i.
 template <int dim>
-bool TangentMatrix<dim>::couples(const Cell<dim>& cell, const std::size_t i,
-                                 const std::size_t j) const
+std::vector<unsigned int> TangentMatrix<dim>::columns(const Cell<dim>& cell, const std::size_t i,
+                                                      const std::vector<bool>& is_free) const
 {
-  return coupling(i % cell.n_components, j % cell.n_components) &&
-         !constraints->is_constrained(cell.dofs[i]) && !constraints->is_constrained(cell.dofs[j]);
+  std::vector<unsigned int> result;
+  if (!is_free[i])
+    return result;
+  for (unsigned int d = 0; d < cell.n_components; ++d)
+    if (coupling(i % cell.n_components, d))
+      for (unsigned int j = d; j < cell.dofs.size(); j += cell.n_components)
+        if (is_free[j])
+          result.push_back(j);
+  return result;
+}
+
+template <int dim>
+std::vector<bool> TangentMatrix<dim>::free_unknowns(const Cell<dim>& cell) const
+{
+  std::vector<bool> result;
+  for (const auto dof : cell.dofs)
+    result.push_back(!constraints->is_constrained(dof));
+  return result;
 }
 
 template <int dim>
 void TangentMatrix<dim>::make_pattern(const FieldLayout<dim>& layout)
 {
   dealii::BlockDynamicSparsityPattern pattern(layout.relevant());
-  for (const Cell<dim>& cell : layout.cells())
+  std::vector<dealii::types::global_dof_index> row;
+  for (const Cell<dim>& cell : layout.cells()) {
+    const std::vector<bool> is_free = free_unknowns(cell);
     for (std::size_t i = 0; i < cell.dofs.size(); ++i) {
-      pattern.add(cell.dofs[i], cell.dofs[i]);
-      for (std::size_t j = 0; j < cell.dofs.size(); ++j)
-        if (couples(cell, i, j))
-          pattern.add(cell.dofs[i], cell.dofs[j]);
+      row.assign(1, cell.dofs[i]);
+      for (const unsigned int j : columns(cell, i, is_free))
+        row.push_back(cell.dofs[j]);
+      std::sort(row.begin(), row.end());
+      row.erase(std::unique(row.begin(), row.end()), row.end());
+      pattern.add_entries(cell.dofs[i], row.begin(), row.end(), true);
     }
+  }
   for (const auto& line : constraints->get_lines())
     pattern.add(line.index, line.index);
   dealii::IndexSet relevant(layout.dof_handler().n_dofs());
@@ -69,7 +90,9 @@ double* TangentMatrix<dim>::entry(const dealii::types::global_dof_index row,
   double* values = nullptr;
   int* columns = nullptr;
   block.ExtractMyRowView(block.LRID(static_cast<int>(r)), n, values, columns);
-  return values + (std::find(columns, columns + n, block.LCID(static_cast<int>(c))) - columns);
+  // Epetra sorts the columns of a matrix that is complete.
+  return values +
+         (std::lower_bound(columns, columns + n, block.LCID(static_cast<int>(c))) - columns);
 }
 
 template <int dim>
@@ -99,15 +122,15 @@ void TangentMatrix<dim>::find_positions(const FieldLayout<dim>& layout)
     for (std::size_t i = 0; i < n; ++i)
       block[i] = layout.block_of_dof(cell.dofs[i]);
     std::vector<int> place(n * n, skipped);
+    const std::vector<bool> is_free = free_unknowns(cell);
     for (std::size_t i = 0; i < n; ++i) {
       const bool own = owned.is_element(cell.dofs[i]);
-      if (own && !couples(cell, i, i))
+      for (const unsigned int j : columns(cell, i, is_free))
+        place[i * n + j] = own ? static_cast<int>(entry(cell.dofs[i], cell.dofs[j]) -
+                                                  block_values[block[i] * n_blocks + block[j]])
+                               : elsewhere;
+      if (own && place[i * n + i] == skipped)
         diagonals.insert(entry(cell.dofs[i], cell.dofs[i]));
-      for (std::size_t j = 0; j < n; ++j)
-        if (couples(cell, i, j))
-          place[i * n + j] = own ? static_cast<int>(entry(cell.dofs[i], cell.dofs[j]) -
-                                                    block_values[block[i] * n_blocks + block[j]])
-                                 : elsewhere;
     }
     positions.push_back(std::move(place));
     blocks.push_back(std::move(block));
@@ -141,21 +164,22 @@ void TangentMatrix<dim>::add(const std::size_t index, const Cell<dim>& cell,
       else
         away = away || place[j] == elsewhere;
     if (away)
-      add_row(cell, i, row);
+      add_row(cell, i, place, row);
   }
 }
 
 template <int dim>
-void TangentMatrix<dim>::add_row(const Cell<dim>& cell, const std::size_t i, const double* entries)
+void TangentMatrix<dim>::add_row(const Cell<dim>& cell, const std::size_t i, const int* place,
+                                 const double* entries)
 {
-  std::vector<dealii::types::global_dof_index> columns;
+  std::vector<dealii::types::global_dof_index> indices;
   std::vector<double> values;
   for (std::size_t j = 0; j < cell.dofs.size(); ++j)
-    if (couples(cell, i, j)) {
-      columns.push_back(cell.dofs[j]);
+    if (place[j] != skipped) {
+      indices.push_back(cell.dofs[j]);
       values.push_back(entries[j]);
     }
-  tangent.add(cell.dofs[i], columns.size(), columns.data(), values.data(), false);
+  tangent.add(cell.dofs[i], indices.size(), indices.data(), values.data(), false);
 }
 
 template <int dim>

@@ -7,13 +7,14 @@ namespace thelma
 {
 
 template <int dim>
-Basis<dim>::Basis(const dealii::FiniteElement<dim>& scalar, const dealii::Quadrature<dim>& rule)
-    : n_points(rule.size()), n_nodes(scalar.dofs_per_cell), stride(padded(n_nodes)),
+Basis<dim>::Basis(const dealii::FiniteElement<dim>& scalar, const dealii::Quadrature<dim>& rule,
+                  const unsigned int n_enhanced)
+    : n_points(rule.size()), n_nodes(scalar.dofs_per_cell + n_enhanced), stride(padded(n_nodes)),
       N(n_points * stride, 0.), dN(n_points * dim * stride, 0.)
 {
   AssertThrow(n_nodes <= max_nodes && n_points <= max_points, dealii::ExcInternalError());
   for (unsigned int q = 0; q < n_points; ++q)
-    for (unsigned int a = 0; a < n_nodes; ++a) {
+    for (unsigned int a = 0; a < scalar.dofs_per_cell; ++a) {
       N[q * stride + a] = scalar.shape_value(a, rule.point(q));
       for (unsigned int d = 0; d < dim; ++d)
         dN[(q * dim + d) * stride + a] = scalar.shape_grad(a, rule.point(q))[d];
@@ -21,8 +22,9 @@ Basis<dim>::Basis(const dealii::FiniteElement<dim>& scalar, const dealii::Quadra
 }
 
 template <int dim>
-Integration<dim>::Integration(const FieldLayout<dim>& layout, const unsigned int n_points)
-    : rule(dealii::QGauss<dim>(n_points)), shape(layout.scalar_element(), rule)
+Integration<dim>::Integration(const FieldLayout<dim>& layout, const unsigned int n_points,
+                              const unsigned int n_enhanced)
+    : rule(dealii::QGauss<dim>(n_points)), shape(layout.scalar_element(), rule, n_enhanced)
 {
   using dealii::update_inverse_jacobians;
   using dealii::update_JxW_values;

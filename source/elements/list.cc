@@ -10,6 +10,7 @@ const NamedList<Formulation<dim>>& formulations()
   static const NamedList<Formulation<dim>> list("element formulation",
                                                 {{"selective reduced", make_selective_reduced<dim>},
                                                  {"mean dilatation", make_mean_dilatation<dim>},
+                                                 {"enhanced strain", make_enhanced_strain<dim>},
                                                  {"standard", make_standard<dim>}});
   return list;
 }

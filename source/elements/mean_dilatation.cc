@@ -14,13 +14,7 @@ public:
   void setup(const FieldLayout<dim>& layout) override
   {
     const unsigned int n_points = layout.degree() + 1, n_modes = layout.degree() == 1 ? 1 : dim + 1;
-    std::vector<Modes> modes;
-    for (const auto& point : this->points(n_points)) {
-      modes.push_back({{1.}});
-      for (unsigned int i = 1; i < n_modes; ++i)
-        modes.back()[i] = 2. * point[i - 1] - 1.;
-    }
-    this->use(layout, n_points, modes, n_modes);
+    this->use(layout, n_points, this->polynomials(n_points, n_modes), n_modes);
   }
 };
 

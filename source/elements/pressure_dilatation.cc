@@ -62,22 +62,25 @@ struct PressureDilatation<dim>::Local {
           H[i][j] += w * v.dp_dJ * m[i] * m[j];
       }
       dp_dtheta[q] = v.dp_dtheta;
+      psi += w * v.psi;
     }
   }
 
   ModeMatrix H{};
   Modes p{}, R_p{}, R_t{};
   std::array<double, CellPoints<dim>::max> dp_dtheta{};
+  double psi = 0.; ///< integral of psi_v(t)
   double min_det;
 };
 
 template <int dim>
 void PressureDilatation<dim>::use(const FieldLayout<dim>& layout, const unsigned int n_points,
-                                  const std::vector<Modes>& values, const unsigned int n)
+                                  const std::vector<Modes>& values, const unsigned int n,
+                                  const unsigned int n_enhanced)
 {
-  full.emplace(layout, layout.degree() + 1);
+  full.emplace(layout, layout.degree() + 1, n_enhanced);
   if (n_points != layout.degree() + 1)
-    reduced.emplace(layout, n_points);
+    reduced.emplace(layout, n_points, n_enhanced);
   has_temperature = layout.has(Field::temperature);
   modes = values;
   n_modes = n;
@@ -90,6 +93,19 @@ template <int dim>
 std::vector<dealii::Point<dim>> PressureDilatation<dim>::points(const unsigned int n_points)
 {
   return dealii::QGauss<dim>(n_points).get_points();
+}
+
+template <int dim>
+std::vector<Modes> PressureDilatation<dim>::polynomials(const unsigned int n_points,
+                                                        const unsigned int n_modes)
+{
+  std::vector<Modes> values;
+  for (const auto& point : points(n_points)) {
+    values.push_back({{1.}});
+    for (unsigned int i = 1; i < n_modes; ++i)
+      values.back()[i] = 2. * point[i - 1] - 1.;
+  }
+  return values;
 }
 
 template <int dim>
@@ -112,7 +128,9 @@ template <int dim>
 template <typename Action>
 void PressureDilatation<dim>::with_points(const CellView<dim>& view, const Action& action) const
 {
-  const CellPoints<dim> points(*full, view);
+  const CellPoints<dim> points(*full, view, [&](const unsigned int q, Gradients<dim>& gradients) {
+    enhance(view.index, q, gradients);
+  });
   if (reduced)
     action(points, CellPoints<dim>(*reduced, view));
   else
@@ -122,7 +140,7 @@ void PressureDilatation<dim>::with_points(const CellView<dim>& view, const Actio
 template <int dim>
 void PressureDilatation<dim>::residual(const CellView<dim>& view, CellResult& result) const
 {
-  result.reset(view.cell.dofs.size(), false);
+  result.reset(rule().basis().n_nodes * view.cell.n_components, false);
   with_points(view, [&](const CellPoints<dim>& points, const CellPoints<dim>& own) {
     const Local local(*this, view, own);
     result.min_det_F = local.min_det;
@@ -142,12 +160,25 @@ void PressureDilatation<dim>::residual(const CellView<dim>& view, CellResult& re
 template <int dim>
 void PressureDilatation<dim>::tangent(const CellView<dim>& view, CellResult& result) const
 {
-  result.reset(view.cell.dofs.size(), true);
+  result.reset(rule().basis().n_nodes * view.cell.n_components, true);
   with_points(view, [&](const CellPoints<dim>& points, const CellPoints<dim>& own) {
     const Local local(*this, view, own);
     integrate_energy(view, points, own, local.p, true, result);
     add_condensed(view, own, local, result);
   });
+}
+
+template <int dim>
+Energies PressureDilatation<dim>::energies(const CellView<dim>& view) const
+{
+  Energies sum;
+  with_points(view, [&](const CellPoints<dim>& points, const CellPoints<dim>& own) {
+    sum = integral(points, view, [](const Material& material, const PointState<>& state) {
+      return material.energies(state);
+    });
+    sum.elastic += Local(*this, view, own).psi;
+  });
+  return sum;
 }
 
 template <int dim>

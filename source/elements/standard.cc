@@ -26,6 +26,16 @@ public:
     integrate(CellPoints<dim>(*full, view), view, WholeEnergy(), true, result);
   }
 
+  Energies energies(const CellView<dim>& view) const override
+  {
+    const auto density = [](const Material& material, const PointState<>& state) {
+      Energies one = material.energies(state);
+      one.elastic += material.thermal.volumetric(Kinematics<>(state.F).J, state.theta).psi;
+      return one;
+    };
+    return integral(CellPoints<dim>(*full, view), view, density);
+  }
+
 private:
   std::optional<Integration<dim>> full;
 };

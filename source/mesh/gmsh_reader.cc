@@ -61,6 +61,7 @@ void set_parameters(const std::string& file, const std::map<std::string, double>
   };
   known.erase(std::remove_if(known.begin(), known.end(), belongs_to_gmsh), known.end());
   gmsh::clear();
+  gmsh::onelab::clear(); // what an earlier file was told outlives finalize()
   for (const auto& [name, value] : parameters) {
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw InputError("section Mesh, entry 'Parameters': '" + file + "' has no parameter '" +

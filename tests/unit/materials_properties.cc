@@ -113,7 +113,7 @@ TEST(MaterialsProperties, SymmetricTangent)
   });
 }
 
-/// psi = elastic - electric + psi_t: under voltage the field energy enters with a minus.
+/// psi = elastic + psi_v - electric + psi_t: under voltage the field energy enters with a minus.
 TEST(MaterialsProperties, EnergiesAddUp)
 {
   for_each_law(acrylic, [](const auto& material, const auto& law) {
@@ -122,8 +122,11 @@ TEST(MaterialsProperties, EnergiesAddUp)
       const PointState<> state = random.next(material);
       const Energies energies = material.energies(state);
       const double psi = law.psi(state);
-      EXPECT_NEAR(energies.elastic - energies.electric + material.thermal.psi(state.theta), psi,
-                  1e-13 * (1. + std::abs(psi)));
+      const double volumetric =
+          material.thermal.volumetric(Kinematics<>(state.F).J, state.theta).psi;
+      EXPECT_NEAR(energies.elastic + volumetric - energies.electric +
+                      material.thermal.psi(state.theta),
+                  psi, 1e-13 * (1. + std::abs(psi)));
       EXPECT_GE(energies.elastic, 0.);
       EXPECT_GE(energies.electric, 0.);
     }

@@ -61,7 +61,7 @@ TEST(Predictor, FollowsABodyThatRollsUp)
 {
   TestScene<3> scene(bilayer(false, "mean dilatation", 2));
   Predictor<3> predictor(scene.layout, scene.conditions, scene.state);
-  predictor.setup();
+  predictor.setup(scene.system.element());
   for (const double load : {0.5, 0.7, 0.9}) {
     roll_up(scene, load);
     scene.state.accept(load);

@@ -65,7 +65,7 @@ inline std::string bilayer(const bool temperature_field, const std::string& form
                            const int degree)
 {
   return "subsection Mesh\n set File = meshes/bilayer.geo\n"
-         " set Parameters = L: 6, W: 2, n1: 2, n2: 1, n3: 4\nend\n"
+         " set Parameters = L: 6, W: 2, n1: 4, n2: 1, n3: 4\nend\n"
          "subsection Regions\n set Materials = active: elastomer, passive: elastomer\n"
          " set Passive = passive\nend\n"
          "subsection Materials\n subsection elastomer\n set Thermal expansion = 1.8e-4\n"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <thelma/assembly/tangent_matrix.h>
-#include <thelma/elements/basis.h>
+#include <thelma/elements/formulation.h>
 #include <thelma/fields/state.h>
 #include <thelma/solvers/mumps.h>
 
@@ -32,8 +32,8 @@ public:
   {
   }
 
-  /// The fields and constraints must stand.
-  void setup();
+  /// The fields and constraints must stand; @p formulation must live as long as this.
+  void setup(const Formulation<dim>& formulation);
 
   /// Write the guess at @p load into the State's iterate.
   void predict(double load, LoadSymmetry symmetry);
@@ -60,12 +60,14 @@ private:
   void factorise();
   void follow_rotation(const std::vector<State::Accepted>& path,
                        const std::vector<double>& weights);
+  void follow_cells(const std::vector<State::Accepted>& path, const std::vector<double>& weights);
 
   static constexpr unsigned int highest_order = 3;
 
   const FieldLayout<dim>& layout;
   const BoundaryConditions<dim>& conditions;
   State& state;
+  const Formulation<dim>* formulation = nullptr;
   std::optional<Integration<dim>> full, reduced;
   std::unique_ptr<Mumps> laplacian; ///< of each displacement component; null until needed
   BlockVector moments, guess;

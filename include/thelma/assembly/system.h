@@ -65,6 +65,12 @@ public:
   /// Solve the cells' internal equations at the current nodal values; the tangent stays.
   void relax_internal();
 
+  /// The element formulation, once set up.
+  const Formulation<dim>& element() const { return *formulation; }
+
+  /// What the own cells store in mJ, in plane strain per mm.
+  Energies energies() const;
+
   /// The tangent has this many negative eigenvalues when the state is stable; none may be said of
   /// an unsymmetric one.
   bool is_symmetric() const { return !layout.has(Field::temperature); }
@@ -99,6 +105,7 @@ private:
   std::unique_ptr<Mumps> solver;
   std::vector<double> scales; ///< per block
   double volume = 0.;         ///< mm^dim
+  int unstable_inside = 0;    ///< directions in all cells, at the last tangent
   BlockVector raw_residual, base, nodal_correction, nodal_response;
   std::vector<double> internal_base, internal_correction, internal_response;
   std::vector<double> internal_residual; ///< of all own cells

@@ -41,9 +41,10 @@ private:
   void make_pattern(const FieldLayout<dim>& layout);
   void find_positions(const FieldLayout<dim>& layout);
   double* entry(dealii::types::global_dof_index row, dealii::types::global_dof_index column);
-  void add_row(const Cell<dim>& cell, std::size_t i, const double* entries);
-
-  bool couples(const Cell<dim>& cell, std::size_t i, std::size_t j) const;
+  void add_row(const Cell<dim>& cell, std::size_t i, const int* place, const double* entries);
+  std::vector<bool> free_unknowns(const Cell<dim>& cell) const;
+  std::vector<unsigned int> columns(const Cell<dim>& cell, std::size_t i,
+                                    const std::vector<bool>& is_free) const;
 
   static constexpr int skipped = -1, elsewhere = -2;
 

@@ -20,7 +20,9 @@ template <int dim>
 struct Basis {
   static constexpr unsigned int max_nodes = dim == 2 ? 9 : 27, max_points = max_nodes;
 
-  Basis(const dealii::FiniteElement<dim>& scalar, const dealii::Quadrature<dim>& rule);
+  /// @p n_enhanced more modes, zero here, follow the nodes'.
+  Basis(const dealii::FiniteElement<dim>& scalar, const dealii::Quadrature<dim>& rule,
+        unsigned int n_enhanced = 0);
 
   unsigned int n_points, n_nodes, stride; ///< stride = padded(n_nodes)
   std::vector<double> N;                  ///< [q][a], rows of length stride
@@ -40,7 +42,7 @@ class Integration
 {
 public:
   /// @p n_points Gauss points per direction.
-  Integration(const FieldLayout<dim>& layout, unsigned int n_points);
+  Integration(const FieldLayout<dim>& layout, unsigned int n_points, unsigned int n_enhanced = 0);
 
   const Basis<dim>& basis() const { return shape; }
   const PointGeometry<dim>* of_cell(const std::size_t cell) const

@@ -30,6 +30,7 @@ struct CellResult {
     internal.clear();
     elimination.clear();
     internal_error = 0.;
+    unstable_inside = 0;
     min_det_F = std::numeric_limits<double>::max();
   }
 
@@ -39,6 +40,10 @@ struct CellResult {
   std::vector<double> elimination; ///< what condensation and recovery need of this tangent
   double min_det_F;                ///< if not positive, the rest is meaningless
   double internal_error;           ///< squared residual of the internal equations, mm^dim
+
+  /// Directions of the condensed unknowns alone in which the cell is unstable: the negative pivots
+  /// of the assembled tangent do not show them.
+  int unstable_inside;
 };
 
 /// The internal unknowns of one cell in a linear system whose tangent may be an older one.
@@ -62,6 +67,10 @@ public:
   virtual void residual(const CellView<dim>& view, CellResult& result) const = 0;
   virtual void tangent(const CellView<dim>& view, CellResult& result) const = 0;
 
+  /// What the cell stores in mJ (in plane strain per mm): the integrals of which residual() is the
+  /// derivative, once the internal equations are solved.
+  virtual Energies energies(const CellView<dim>& view) const = 0;
+
   /// Internal unknowns per cell are iterates like the nodal ones, but condensed out of each linear
   /// system: eliminate() adds what they do to the nodal residual, recover() gives their correction
   /// once the nodal one, @p dx, is known.
@@ -76,11 +85,18 @@ public:
   virtual void recover(const Elimination<dim>&, const double* /*dx*/, double* /*correction*/) const
   {
   }
+
+  /// Make internal values those of an observer who deforms with the cell, so that they can be
+  /// extrapolated while the body turns; and the way back.
+  virtual void pull_back(const CellView<dim>&, double* /*values*/) const {}
+  virtual void push_forward(const CellView<dim>&, double* /*values*/) const {}
 };
 
 template <int dim>
 const NamedList<Formulation<dim>>& formulations();
 
+template <int dim>
+std::unique_ptr<Formulation<dim>> make_enhanced_strain();
 template <int dim>
 std::unique_ptr<Formulation<dim>> make_mean_dilatation();
 template <int dim>

@@ -42,11 +42,19 @@ PointState<> point_state(const CellView<dim>& view, const Gradients<dim>& gradie
 template <int dim>
 struct CellPoints {
   CellPoints(const Integration<dim>& rule, const CellView<dim>& view)
+      : CellPoints(rule, view, [](unsigned int, Gradients<dim>&) {})
+  {
+  }
+
+  /// @p enhance(q, gradients) sets the gradients of modes that are no shape functions.
+  template <typename Enhance>
+  CellPoints(const Integration<dim>& rule, const CellView<dim>& view, const Enhance& enhance)
       : n_points(rule.basis().n_points), geometry(rule.of_cell(view.index))
   {
     const NodalValues<dim> x(view.x, rule.basis().n_nodes, view.cell.n_components);
     for (unsigned int q = 0; q < n_points; ++q) {
       gradients[q] = Gradients<dim>(rule.basis(), q, geometry[q]);
+      enhance(q, gradients[q]);
       input[q] = point_input(view, x, gradients[q]);
       kinematics[q] = Kinematics<>(input[q].state.F);
       min_det_F = std::min(min_det_F, kinematics[q].J);
@@ -61,6 +69,19 @@ struct CellPoints {
   std::array<Kinematics<>, max> kinematics;
   double min_det_F = std::numeric_limits<double>::max();
 };
+
+/// The integral over one cell of @p density(material, point state).
+template <int dim, typename Density>
+Energies integral(const CellPoints<dim>& points, const CellView<dim>& view, const Density& density)
+{
+  Energies sum;
+  for (unsigned int q = 0; q < points.n_points; ++q) {
+    const Energies one = density(*view.cell.material, points.input[q].state);
+    sum.elastic += points.geometry[q].JxW * one.elastic;
+    sum.electric += points.geometry[q].JxW * one.electric;
+  }
+  return sum;
+}
 
 /// Everything the material has.
 struct WholeEnergy {

@@ -34,15 +34,23 @@ public:
   void tangent(const CellView<dim>& view, CellResult& result) const override;
   void eliminate(const Elimination<dim>& cell, double* residual) const override;
   void recover(const Elimination<dim>& cell, const double* dx, double* correction) const override;
+  Energies energies(const CellView<dim>& view) const override;
 
 protected:
   /// Take the volumetric terms by Gauss's rule of @p n_points per direction and let p and t be
-  /// combinations of @p modes, given by their values at its points.
+  /// combinations of @p modes, given by their values at its points. A cell has @p n_enhanced modes
+  /// after its nodes, see enhance().
   void use(const FieldLayout<dim>& layout, unsigned int n_points, const std::vector<Modes>& modes,
-           unsigned int n_modes);
+           unsigned int n_modes, unsigned int n_enhanced = 0);
 
   /// Gauss's rule of the volumetric terms.
   static std::vector<dealii::Point<dim>> points(unsigned int n_points);
+
+  /// The constant and, if @p n_modes is dim + 1, the coordinates on the cell, at these points.
+  static std::vector<Modes> polynomials(unsigned int n_points, unsigned int n_modes);
+
+  /// Set the gradients of the modes after the nodes at one point.
+  virtual void enhance(std::size_t /*cell*/, unsigned int /*q*/, Gradients<dim>&) const {}
 
 private:
   using ModeMatrix = std::array<Modes, 8>;

@@ -10,12 +10,12 @@ namespace thelma
 
 /// Energies per reference volume in mJ/mm^3 = MPa.
 struct Energies {
-  double elastic;  ///< (theta/theta_0) (W + U)
-  double electric; ///< stored field energy, D.E/2 for a linear dielectric
+  double elastic = 0.;  ///< (theta/theta_0) W, and what the volumetric energy adds to it
+  double electric = 0.; ///< stored field energy, D.E/2 for a linear dielectric
 };
 
-/// What the rest of the program knows of a material. The derivatives leave the volumetric energy
-/// out; the element formulation adds it by its own rule.
+/// What the rest of the program knows of a material. Energies and derivatives leave the volumetric
+/// energy out; the element formulation adds it by its own rule.
 class Material
 {
 public:
@@ -101,8 +101,7 @@ public:
   {
     const Kinematics<> kin(state.F);
     const Split<double> em(*this, state, kin);
-    return {state.theta / thermal.theta_0 * em.d.W + thermal.volumetric(kin.J, state.theta).psi,
-            -dielectric.psi(state, kin)};
+    return {state.theta / thermal.theta_0 * em.d.W, -dielectric.psi(state, kin)};
   }
 
   void evaluate(const PointState<>& state, FirstDerivatives<>& out) const override

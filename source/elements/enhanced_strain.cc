@@ -1,0 +1,268 @@
+#include <thelma/base/error.h>
+#include <thelma/elements/pressure_dilatation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace thelma
+{
+namespace
+{
+
+/// Enhanced strain and field (theory.md, eq. 29): linear elements whose gradients have in each cell
+/// dim more modes per component, those of quadratic bubbles across it. They let the cell bend
+/// without shear, and the field in it vary. Pressure and dilatation are linear as well. To the
+/// point loop the modes are further nodes.
+///
+/// Internal unknowns: p, t, then the modes alpha [k][c]. What elimination keeps after p and t's: of
+/// each row of the modes the pivot, then the row and the column divided by it.
+template <int dim>
+class EnhancedStrain final : public PressureDilatation<dim>
+{
+public:
+  void setup(const FieldLayout<dim>& layout) override
+  {
+    if (layout.degree() != 1)
+      throw InputError("section Discretisation, entry 'Formulation': 'enhanced strain' improves "
+                       "linear elements; set Degree = 1, or Formulation = mean dilatation");
+    this->use(layout, 2, this->polynomials(2, dim + 1), dim + 1, dim);
+    n_components = layout.n_components();
+    centre.emplace(layout, 1);
+    const Integration<dim> rule(layout, 2);
+    modes.clear();
+    for (std::size_t cell = 0; cell < layout.cells().size(); ++cell)
+      for (unsigned int q = 0; q < n_points; ++q)
+        modes.push_back(
+            gradients(*centre->of_cell(cell), rule.quadrature(), q, rule.of_cell(cell)[q].JxW));
+  }
+
+  unsigned int n_internal() const override { return Base::n_internal() + dim * n_components; }
+
+  unsigned int n_elimination() const override
+  {
+    return Base::n_elimination() + dim * n_components * (1 + 2 * n_nodes * n_components);
+  }
+
+  void residual(const CellView<dim>& view, CellResult& result) const override
+  {
+    std::vector<double> x;
+    Base::residual(enhanced(view, x), result);
+    const auto own = result.residual.begin() + view.cell.dofs.size();
+    result.internal.insert(result.internal.end(), own, result.residual.end());
+    result.residual.erase(own, result.residual.end());
+    if (!(result.min_det_F > 0.))
+      return;
+    result.internal.resize(n_internal(), 0.);
+    result.internal_error += mode_error(view, result.internal.data() + Base::n_internal());
+  }
+
+  void tangent(const CellView<dim>& view, CellResult& result) const override
+  {
+    std::vector<double> x;
+    Base::tangent(enhanced(view, x), result);
+    const std::size_t n_outer = view.cell.dofs.size(), n = x.size();
+    result.elimination.resize(n_elimination(), 0.);
+    const unsigned int n_negative = eliminate_modes(
+        n_outer, n, result.tangent.data(), Pivots(*this, n_outer, n, result.elimination.data()));
+    for (std::size_t i = 0; i < n_outer; ++i)
+      std::copy_n(result.tangent.begin() + i * n, n_outer, result.tangent.begin() + i * n_outer);
+    result.tangent.resize(n_outer * n_outer);
+    // One for each mode of the potential belongs to a stable cell, as in eq. (19).
+    result.unstable_inside = static_cast<int>(n_negative) - (view.cell.has_potential ? dim : 0);
+  }
+
+  void eliminate(const Elimination<dim>& cell, double* residual) const override
+  {
+    const std::vector<double> R = reduced_residual(cell, 0);
+    std::copy_n(R.begin(), R.size() - dim * cell.n_components, residual);
+  }
+
+  void recover(const Elimination<dim>& cell, const double* dx, double* correction) const override
+  {
+    const std::size_t n = n_nodes * cell.n_components, n_outer = n - dim * cell.n_components;
+    const std::vector<double> R = reduced_residual(cell, n_outer);
+    const Pivots<const double> pivots(*this, n_outer, n, cell.kept);
+    std::vector<double> change(dx, dx + n_outer);
+    for (std::size_t k = n_outer; k < n; ++k) {
+      double sum = R[k] / pivots.pivot(k);
+      for (std::size_t j = 0; j < k; ++j)
+        sum += pivots.row(k)[j] * change[j];
+      change.push_back(-sum);
+    }
+    Base::recover(cell, change.data(), correction);
+    std::fill(correction + Base::n_internal(), correction + n_internal(), 0.);
+    std::copy(change.begin() + n_outer, change.end(), correction + Base::n_internal());
+  }
+
+  Energies energies(const CellView<dim>& view) const override
+  {
+    std::vector<double> x;
+    return Base::energies(enhanced(view, x));
+  }
+
+  void pull_back(const CellView<dim>& view, double* values) const override
+  {
+    transform(view, dealii::invert(centre_gradient(view)), values);
+  }
+
+  void push_forward(const CellView<dim>& view, double* values) const override
+  {
+    transform(view, centre_gradient(view), values);
+  }
+
+protected:
+  void enhance(const std::size_t cell, const unsigned int q,
+               Gradients<dim>& gradients) const override
+  {
+    for (int J = 0; J < dim; ++J)
+      for (int k = 0; k < dim; ++k)
+        gradients.g[J][n_nodes - dim + k] = modes[cell * n_points + q][J][k];
+  }
+
+private:
+  using Base = PressureDilatation<dim>;
+  using ModeGradients = std::array<std::array<double, dim>, dim>; ///< dM_k/dX_J, [J][k]
+  static constexpr unsigned int n_points = 1u << dim, n_nodes = n_points + dim;
+
+  /// Where elimination keeps what belongs to the rows n_outer to n - 1.
+  template <typename Number>
+  struct Pivots {
+    Pivots(const EnhancedStrain& f, const std::size_t n_outer, const std::size_t n, Number* kept)
+        : n_outer(n_outer), n(n), start(kept + f.Base::n_elimination())
+    {
+    }
+    Number& pivot(const std::size_t k) const { return start[(k - n_outer) * (1 + 2 * n)]; }
+    Number* row(const std::size_t k) const { return &pivot(k) + 1; }
+    Number* column(const std::size_t k) const { return &pivot(k) + 1 + n; }
+
+    std::size_t n_outer, n;
+    Number* start;
+  };
+  template <typename Number>
+  Pivots(const EnhancedStrain&, std::size_t, std::size_t, Number*) -> Pivots<Number>;
+
+  /// Gaussian elimination of the modes, the last one first. Returns the number of negative pivots,
+  /// which is that of the negative eigenvalues of a symmetric block.
+  static unsigned int eliminate_modes(const std::size_t n_outer, const std::size_t n, double* K,
+                                      const Pivots<double>& pivots)
+  {
+    unsigned int n_negative = 0;
+    for (std::size_t k = n; k-- > n_outer;) {
+      const double pivot = pivots.pivot(k) = K[k * n + k];
+      n_negative += pivot < 0. ? 1 : 0;
+      for (std::size_t i = 0; i < k; ++i) {
+        pivots.row(k)[i] = K[k * n + i] / pivot;
+        pivots.column(k)[i] = K[i * n + k] / pivot;
+      }
+      for (std::size_t i = 0; i < k; ++i)
+        for (std::size_t j = 0; j < k; ++j)
+          K[i * n + j] -= K[i * n + k] * pivots.row(k)[j];
+    }
+    return n_negative;
+  }
+
+  /// What p, t and the modes add to the nodal residual, and the residual of the modes on the way;
+  /// only from @p first on.
+  std::vector<double> reduced_residual(const Elimination<dim>& cell, const std::size_t first) const
+  {
+    const std::size_t n = n_nodes * cell.n_components, n_outer = n - dim * cell.n_components;
+    std::vector<double> R(n, 0.);
+    Base::eliminate(cell, R.data());
+    for (std::size_t k = n_outer; k < n; ++k)
+      R[k] += cell.residual[Base::n_internal() + k - n_outer];
+    const Pivots<const double> pivots(*this, n_outer, n, cell.kept);
+    for (std::size_t k = n; k-- > n_outer;)
+      for (std::size_t i = first; i < k; ++i)
+        R[i] -= pivots.column(k)[i] * R[k];
+    return R;
+  }
+
+  /// Squared residual @p R of the modes in the units of eq. (20).
+  double mode_error(const CellView<dim>& view, const double* R) const
+  {
+    const Material& material = *view.cell.material;
+    const double mu = material.shear_modulus(view.theta);
+    const double D = std::sqrt(mu * material.permittivity(view.theta));
+    const int n_c = view.cell.n_components;
+    const double volume = centre->of_cell(view.index)->JxW;
+    double sum = 0.;
+    for (int k = 0; k < dim; ++k) {
+      double size = 0.; // of the mode, 1/mm^2 over the cell
+      for (unsigned int q = 0; q < n_points; ++q)
+        for (int J = 0; J < dim; ++J)
+          size += std::pow(modes[view.index * n_points + q][J][k], 2) * volume / n_points;
+      for (int c = 0; c < n_c; ++c) {
+        const double unit = c < dim                               ? mu
+                            : c == dim && view.cell.has_potential ? D
+                                                                  : material.thermal.k;
+        sum += std::pow(R[k * n_c + c] / unit, 2) / size;
+      }
+    }
+    return sum;
+  }
+
+  /// The cell with its modes as further nodes, their values in @p x.
+  CellView<dim> enhanced(const CellView<dim>& view, std::vector<double>& x) const
+  {
+    const double* alpha = view.internal + Base::n_internal();
+    x.assign(view.x, view.x + view.cell.dofs.size());
+    x.insert(x.end(), alpha, alpha + dim * view.cell.n_components);
+    return {view.index, view.cell, x.data(), view.internal, view.theta, view.has_temperature};
+  }
+
+  /// (j_0 / j) times the slope of xi_k^2/2 on the cell, j_0 and the Jacobian being those of the
+  /// centre: int Grad M_k dV = 0.
+  static ModeGradients gradients(const PointGeometry<dim>& centre,
+                                 const dealii::Quadrature<dim>& rule, const unsigned int q,
+                                 const double JxW)
+  {
+    const double ratio = centre.JxW * rule.weight(q) / JxW;
+    ModeGradients g;
+    for (int k = 0; k < dim; ++k)
+      for (int J = 0; J < dim; ++J)
+        g[J][k] = ratio * (2. * rule.point(q)[k] - 1.) * centre.inverse_jacobian[k][J];
+    return g;
+  }
+
+  /// F at the centre, where the modes vanish.
+  dealii::Tensor<2, dim> centre_gradient(const CellView<dim>& view) const
+  {
+    const Gradients<dim> gradients(centre->basis(), 0, *centre->of_cell(view.index));
+    const PointState<> state = point_state(view, gradients);
+    dealii::Tensor<2, dim> F;
+    for (int i = 0; i < dim; ++i)
+      for (int J = 0; J < dim; ++J)
+        F[i][J] = state.F[axis<dim>(i)][axis<dim>(J)];
+    return F;
+  }
+
+  /// Multiply the displacement of each mode by @p A.
+  void transform(const CellView<dim>& view, const dealii::Tensor<2, dim>& A, double* values) const
+  {
+    double* alpha = values + Base::n_internal();
+    for (int k = 0; k < dim; ++k, alpha += view.cell.n_components) {
+      dealii::Tensor<1, dim> a;
+      std::copy_n(alpha, dim, a.begin_raw());
+      a = A * a;
+      std::copy_n(a.begin_raw(), dim, alpha);
+    }
+  }
+
+  std::optional<Integration<dim>> centre;
+  std::vector<ModeGradients> modes; ///< at the points of every cell
+  unsigned int n_components = 0;    ///< of the cell that has most
+};
+
+} // namespace
+
+template <int dim>
+std::unique_ptr<Formulation<dim>> make_enhanced_strain()
+{
+  return std::make_unique<EnhancedStrain<dim>>();
+}
+
+template std::unique_ptr<Formulation<2>> make_enhanced_strain();
+template std::unique_ptr<Formulation<3>> make_enhanced_strain();
+
+} // namespace thelma
