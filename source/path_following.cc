@@ -148,7 +148,7 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::advance()
       state.accept(found->load);
       predictor.adapt(surprise);
       stepper.accept(found->report.iterations, surprise,
-                     std::min(0.2 * rest, largest_step / std::abs(found->slope)));
+                     std::min(0.3 * rest, largest_step / std::abs(found->slope)));
       found->step = stepper.step();
       return found;
     }
@@ -171,7 +171,10 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::between(const double p
   Plane plane = across(before);
   system.set_load(predictor.predict_along(places(), place));
   plane.value += plane.excess(system);
-  return solve(plane);
+  Solution found = solve(plane);
+  if (found)
+    found->place = place;
+  return found;
 }
 
 template <int dim>
@@ -256,8 +259,7 @@ PathFollowing<dim>::report_between(const Task& task, const Place& low, const Pla
   task.record_mode(mode);
   if (branch == "none" || on_branch)
     return Events::none;
-  on_branch = true;
-  state.start(event->load);
+  start_branch(event->place);
   return Events::new_branch;
 }
 
@@ -280,14 +282,23 @@ PathFollowing<dim>::report_events(const Task& task, const PathState& here, const
   return events;
 }
 
+/// At a bifurcation rounding decides how much of the mode a solution has. The state interpolated
+/// there has none, and the branches to both sides begin alike.
+template <int dim>
+void PathFollowing<dim>::start_branch(const double place)
+{
+  on_branch = true;
+  system.set_load(predictor.predict_along(places(), place));
+  state.start(system.load());
+}
+
 /// Step off the bifurcation along the critical mode; the load is found with the state.
 template <int dim>
-typename PathFollowing<dim>::Solution PathFollowing<dim>::switch_branch(const BlockVector& along,
-                                                                        double step)
+typename PathFollowing<dim>::Solution PathFollowing<dim>::switch_branch(double step)
 {
   const double load = state.accepted_load(), sign = branch == "plus" ? 1. : -1.;
   for (; step > 1e-6; step /= 2.) {
-    state.x.add(sign * step / std::sqrt(weight), along);
+    state.x.add(sign * step / std::sqrt(weight), mode);
     state.x.update_ghost_values();
     system.set_load(load);
     if (Solution found = solve(across(state.path().back()))) {
@@ -352,7 +363,7 @@ typename PathFollowing<dim>::End PathFollowing<dim>::follow(const Task& task)
     const Events events = report_events(task, here, *next);
     if (events == Events::aim)
       return End::limit_point;
-    if (events == Events::new_branch && !(next = switch_branch(mode, stepper.step())))
+    if (events == Events::new_branch && !(next = switch_branch(stepper.step())))
       return End::lost;
     if (const std::optional<End> end = finish(task, here, *next))
       return *end;

@@ -94,6 +94,9 @@ Outcome Problem<dim>::run()
   heat();
   if (outcome.code == ExitCode::success && layout.has(Field::potential))
     apply_voltage();
+  outcome.newton_iterations += path_following.iterations();
+  outcome.factorisations += path_following.factorisations();
+  outcome.failed_steps += path_following.failures();
   results.finish(scene(), outcome);
   return outcome;
 }
@@ -106,13 +109,26 @@ void Problem<dim>::heat()
   const auto prescribe = [&](const double part) {
     if (!layout.has(Field::temperature))
       state.theta = theta_start + part * (theta - theta_start);
-    if (state.path().size() == 1)
-      system.start_internal(); // free expansion is a better guess than none
     conditions.apply(0., theta_start, part, state.x);
   };
   NewtonReport last;
   const auto remember = [&](double, const NewtonReport& report) { last = report; };
-  if (follow(steps, LoadSymmetry::none, prescribe, remember)) {
+  const auto expand = [&](const double part) {
+    if (state.path().size() == 1)
+      system.start_internal(); // free expansion is a better guess than none
+    prescribe(part);
+  };
+  bool heated = follow(steps, LoadSymmetry::none, expand, remember);
+  if (!heated && path_following.is_automatic()) {
+    PathTask arc = task(steps);
+    const auto record_on_arc = arc.record;
+    arc.record = [&](const PathState& found) {
+      last = found.report;
+      record_on_arc(found);
+    };
+    heated = follow_arc(arc, prescribe) == PathEnd::target;
+  }
+  if (heated) {
     state.start();
     record(0., last);
   } else
@@ -132,7 +148,7 @@ void Problem<dim>::apply_voltage()
   if (!follow(stepper, LoadSymmetry::voltage, prescribe,
               [&](const double load, const NewtonReport& report) { record(load, report); })) {
     if (path_following.is_automatic())
-      return follow_arc(prescribe);
+      return follow_voltage(prescribe);
     prescribe(state.accepted_load());
     explain_end(stepper);
   } else if (loading.expects_pull_in()) {
@@ -183,7 +199,7 @@ bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
       state.restore();
       predictor.adapt(std::numeric_limits<double>::infinity());
       steps.cut_back();
-      if (hands_over(symmetry, true))
+      if (hands_over(steps, symmetry, true))
         return false;
       continue;
     }
@@ -191,18 +207,19 @@ bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
     state.accept(load);
     steps.accept(report.iterations, state.estimated_limit());
     on_accept(load, report);
-    if (!steps.finished() && hands_over(symmetry, false))
+    if (!steps.finished() && hands_over(steps, symmetry, false))
       return false;
   }
   return steps.finished();
 }
 
-/// Whether a path under voltage goes on along its arc.
+/// Whether a path goes on along its arc.
 template <int dim>
-bool Problem<dim>::hands_over(const LoadSymmetry symmetry, const bool failed) const
+bool Problem<dim>::hands_over(const Stepper& steps, const LoadSymmetry symmetry,
+                              const bool failed) const
 {
-  return symmetry == LoadSymmetry::voltage && path_following.is_automatic() &&
-         (failed || path_following.turns_soon(stepper.step()));
+  return path_following.is_automatic() &&
+         (failed || (symmetry == LoadSymmetry::voltage && path_following.turns_soon(steps.step())));
 }
 
 template <int dim>

@@ -16,6 +16,7 @@ struct PathState {
   double load = 0.;
   double slope = 0.; ///< of the load over arc length, in the direction of travel
   double step = 0.;  ///< of arc length, the next one
+  double place = 0.; ///< arc length from the first of the remembered states, of a located event
   long long unstable_directions = 0;
   std::string event;
 };
@@ -92,7 +93,8 @@ private:
   };
   Events report_events(const Task& task, const PathState& here, const PathState& next);
   Events report_between(const Task& task, const Place& low, const Place& high);
-  Solution switch_branch(const BlockVector& along, double step);
+  void start_branch(double place);
+  Solution switch_branch(double step);
   PathState begin(const Task& task);
   std::optional<End> finish(const Task& task, const PathState& here, const PathState& next);
 

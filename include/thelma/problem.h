@@ -34,6 +34,8 @@ public:
   bool finished() const;
 
 private:
+  using PathEnd = typename PathFollowing<dim>::End;
+  using PathTask = typename PathFollowing<dim>::Task;
   using Record = std::function<void(double load, const NewtonReport&)>;
 
   void declare();
@@ -42,14 +44,16 @@ private:
   void leave_rest(const std::function<void(double)>& prescribe);
   bool follow(Stepper& steps, LoadSymmetry symmetry, const std::function<void(double)>& prescribe,
               const Record& record);
-  bool hands_over(LoadSymmetry symmetry, bool failed) const;
+  bool hands_over(const Stepper& steps, LoadSymmetry symmetry, bool failed) const;
   NewtonReport solve() const;
   long long unstable_directions(const NewtonReport& report) const;
   void explain_end(const Stepper& steps);
 
   /// On from the last accepted state along the arc of the path; @p prescribe as for follow().
-  void follow_arc(const std::function<void(double)>& prescribe);
-  void explain_end(typename PathFollowing<dim>::End end);
+  PathEnd follow_arc(const PathTask& task, const std::function<void(double)>& prescribe);
+  void follow_voltage(const std::function<void(double)>& prescribe);
+  PathTask task(const Stepper& steps);
+  void explain_end(PathEnd end);
   void record(double load, const NewtonReport& report);
   Outcome failure(const std::string& name, const std::string& reason) const;
   Scene<dim> scene() const;
