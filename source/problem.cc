@@ -16,8 +16,9 @@ Problem<dim>::Problem(const MPI_Comm comm, const ParameterFile& file, std::strin
                       std::ostream& console)
     : scene_folder(std::filesystem::path(file.name()).parent_path().string()),
       results(comm, file, std::move(folder), console, timings), materials(file), mesh(comm),
-      system(layout, conditions, state, timings), predictor(layout, conditions, state),
-      path_following(system, state, predictor, newton)
+      system(layout, conditions, nodal_heat, state, timings),
+      transient(layout, conditions, nodal_heat, state, timings),
+      predictor(layout, conditions, state), path_following(system, state, predictor, newton)
 {
   outcome.ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
   declare();
@@ -39,9 +40,10 @@ void Problem<dim>::declare()
     const Section section(prm, {"Temperature"});
     prm.add_parameter("Value", theta,
                       "Uniform temperature in K; where the temperature is a field, its first guess "
-                      "and the temperature at which e is defined.",
+                      "or initial value and the temperature at which e is defined.",
                       Double(1.));
   }
+  nodal_heat.declare(prm);
   loading.declare(prm);
   stepper.declare(prm);
   {
@@ -53,6 +55,7 @@ void Problem<dim>::declare()
   }
   path_following.declare(prm);
   newton.declare(prm);
+  transient.declare(prm);
   results.declare(prm);
 }
 
@@ -66,22 +69,27 @@ void Problem<dim>::setup()
   }
   layout.setup(mesh, materials);
   conditions.setup(mesh, layout);
+  nodal_heat.setup(mesh, layout, conditions);
   loading.setup(materials, theta);
   theta_start = materials.reference_temperature();
   state.theta = theta;
   state.x = layout.new_vector();
   if (layout.has(Field::temperature))
     state.x.block(layout.block(Field::temperature)) = theta_start;
-  system.setup();
+  system.setup(layout.is_transient() ? Solved::deformation : Solved::all);
+  transient.setup(system, loading.voltage(1.), theta);
   predictor.setup(system.element());
   state.start();
 
   results.setup(scene(), theta);
-  for (const auto& [column, value] : loading.until())
-    results.require_column(column, "section Loading, entry 'Until'");
+  check_path();
+  check_stages();
 
   outcome.modelled = layout.summary();
   outcome.modelled.push_back(loading.description());
+  if (layout.is_transient())
+    for (const std::string& line : transient.summary())
+      outcome.modelled.push_back(line);
   outcome.cells = mesh.triangulation().n_active_cells();
   for (const Field field : layout.fields())
     outcome.unknowns[field_name(field)] = layout.n_dofs(field);
@@ -92,8 +100,10 @@ Outcome Problem<dim>::run()
 {
   results.start(parameters(), outcome, theta);
   heat();
-  if (outcome.code == ExitCode::success && layout.has(Field::potential))
-    apply_voltage();
+  if (outcome.code == ExitCode::success)
+    apply_loads();
+  if (outcome.code == ExitCode::success && layout.is_transient())
+    evolve();
   outcome.newton_iterations += path_following.iterations();
   outcome.factorisations += path_following.factorisations();
   outcome.failed_steps += path_following.failures();
@@ -107,9 +117,9 @@ void Problem<dim>::heat()
   Stepper steps;
   steps.start(1e-4, 1.);
   const auto prescribe = [&](const double part) {
-    if (!layout.has(Field::temperature))
-      state.theta = theta_start + part * (theta - theta_start);
     conditions.apply(0., theta_start, part, state.x);
+    nodal_heat.apply(theta_start, part, part);
+    set_uniform_temperature(theta_start + part * (theta - theta_start));
   };
   NewtonReport last;
   const auto remember = [&](double, const NewtonReport& report) { last = report; };
@@ -136,44 +146,7 @@ void Problem<dim>::heat()
                                             " K while heating: " + last_failure);
 }
 
-template <int dim>
-void Problem<dim>::apply_voltage()
-{
-  stepper.start(loading.resolution());
-  const auto prescribe = [&](const double load) {
-    state.voltage = loading.voltage(load);
-    conditions.apply(state.voltage, theta_start, 1., state.x);
-  };
-  leave_rest(prescribe);
-  if (!follow(stepper, LoadSymmetry::voltage, prescribe,
-              [&](const double load, const NewtonReport& report) { record(load, report); })) {
-    if (path_following.is_automatic())
-      return follow_voltage(prescribe);
-    prescribe(state.accepted_load());
-    explain_end(stepper);
-  } else if (loading.expects_pull_in()) {
-    outcome = failure("target reached", "the target was reached but a pull-in was expected");
-    outcome.code = ExitCode::expectation_failed;
-  }
-}
-
-/// At a voltage so small that the body answers linearly, the tangent at rest finds in which
-/// direction the path leaves. The first step can be foretold from there.
-template <int dim>
-void Problem<dim>::leave_rest(const std::function<void(double)>& prescribe)
-{
-  constexpr double small = 1. / 32.; // of the first step
-  const double load = small * stepper.step();
-  prescribe(load);
-  const NewtonReport report = newton.solve(system, true);
-  outcome.newton_iterations += report.iterations;
-  outcome.factorisations += report.factorisations;
-  if (report.converged)
-    state.accept(load);
-  else
-    state.restore();
-}
-
+/// In a transient scene up to the voltage at time 0.
 template <int dim>
 bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
                           const std::function<void(double)>& prescribe, const Record& on_accept)
@@ -213,15 +186,6 @@ bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
   return steps.finished();
 }
 
-/// Whether a path goes on along its arc.
-template <int dim>
-bool Problem<dim>::hands_over(const Stepper& steps, const LoadSymmetry symmetry,
-                              const bool failed) const
-{
-  return path_following.is_automatic() &&
-         (failed || (symmetry == LoadSymmetry::voltage && path_following.turns_soon(steps.step())));
-}
-
 template <int dim>
 long long Problem<dim>::unstable_directions(const NewtonReport& report) const
 {
@@ -248,49 +212,6 @@ NewtonReport Problem<dim>::solve() const
 }
 
 template <int dim>
-void Problem<dim>::explain_end(const Stepper& steps)
-{
-  const auto field = [&](const double load) { return loading.field(loading.voltage(load)); };
-  const double limit = state.estimated_limit();
-  const Bracket bracket{field(steps.accepted()), field(steps.failed()), field(limit)};
-  std::ostringstream between;
-  between << std::setprecision(7) << " between e = " << bracket.e_below << " and "
-          << bracket.e_above;
-
-  // At a limit point the last states themselves announce its end, not much farther away than they
-  // reach back; anything else is not a pull-in.
-  const bool turns_back =
-      limit < steps.failed() + std::max(10. * loading.resolution(), 2. * state.recent_span());
-  if (!turns_back) {
-    const bool unstable = last_failure.find("unstable") != std::string::npos;
-    outcome = failure(unstable ? "instability" : "no convergence",
-                      (unstable ? "loss of stability" : "no convergence") + between.str() + ": " +
-                          last_failure);
-    results.set_event(unstable ? "bifurcation" : "no convergence");
-    return;
-  }
-  outcome.pull_in = bracket;
-  outcome.name = "pull-in";
-  outcome.reason = "pull-in" + between.str();
-  results.set_event("pull-in");
-  if (!loading.expects_pull_in()) {
-    outcome.code = ExitCode::not_converged;
-    outcome.reason += ", before the target";
-  }
-}
-
-template <int dim>
-void Problem<dim>::record(const double load, const NewtonReport& report)
-{
-  const long long unstable = unstable_directions(report);
-  results.add(scene(),
-              {load, loading.field(state.voltage), stepper.step(), load, unstable,
-               unstable != last_unstable ? "bifurcation" : ""},
-              report);
-  last_unstable = unstable;
-}
-
-template <int dim>
 Outcome Problem<dim>::failure(const std::string& name, const std::string& reason) const
 {
   Outcome failed = outcome;
@@ -313,12 +234,6 @@ template <int dim>
 bool Problem<dim>::finished() const
 {
   return results.finished(parameters(), {mesh.path(scene_folder), "/proc/self/exe"});
-}
-
-template <int dim>
-Scene<dim> Problem<dim>::scene() const
-{
-  return {materials, mesh, layout, conditions, system, state};
 }
 
 template class Problem<2>;

@@ -5,6 +5,7 @@
 #include <thelma/output/results.h>
 #include <thelma/path_following.h>
 #include <thelma/solvers/stepper.h>
+#include <thelma/transient.h>
 
 #include <functional>
 #include <iosfwd>
@@ -40,7 +41,13 @@ private:
 
   void declare();
   void heat();
-  void apply_voltage();
+  void set_uniform_temperature(double value);
+  void check_stages() const;
+  void apply_loads();
+  void change_electrode(const Stage& stage);
+  void ramp(const Stage& stage);
+  void show_floating_voltage();
+  void evolve();
   void leave_rest(const std::function<void(double)>& prescribe);
   bool follow(Stepper& steps, LoadSymmetry symmetry, const std::function<void(double)>& prescribe,
               const Record& record);
@@ -51,12 +58,13 @@ private:
 
   /// On from the last accepted state along the arc of the path; @p prescribe as for follow().
   PathEnd follow_arc(const PathTask& task, const std::function<void(double)>& prescribe);
-  void follow_voltage(const std::function<void(double)>& prescribe);
+  void follow_load(const std::function<void(double)>& prescribe);
   PathTask task(const Stepper& steps);
+  void check_path() const;
   void explain_end(PathEnd end);
   void record(double load, const NewtonReport& report);
   Outcome failure(const std::string& name, const std::string& reason) const;
-  Scene<dim> scene() const;
+  Scene<dim> scene();
 
   std::string scene_folder; ///< from which the scene names its files
   dealii::ParameterHandler prm;
@@ -67,8 +75,10 @@ private:
   Mesh<dim> mesh;
   FieldLayout<dim> layout;
   BoundaryConditions<dim> conditions;
+  NodalHeat<dim> nodal_heat;
   State state;
   mutable System<dim> system;
+  Transient<dim> transient;
   Predictor<dim> predictor;
   Loading loading;
   Newton newton;
@@ -77,6 +87,8 @@ private:
 
   unsigned int dimension = dim;
   double theta = 293., theta_start = 293.; ///< K
+  Levels levels;                           ///< reached by the stages so far
+  double first_load = 0.;                  ///< of the present stage, in the curve
   Outcome outcome;
   std::string last_failure;
   std::string unstable_states = "reject";

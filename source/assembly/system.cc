@@ -11,8 +11,9 @@ namespace thelma
 
 template <int dim>
 System<dim>::System(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
-                    State& state, Timings& timings)
-    : layout(layout), conditions(conditions), state(state), timings(timings)
+                    const NodalHeat<dim>& heat, State& state, Timings& timings)
+    : layout(layout), conditions(conditions), heat(heat), state(state), timings(timings),
+      floating(layout, conditions)
 {
 }
 
@@ -30,19 +31,29 @@ void System<dim>::declare(dealii::ParameterHandler& prm)
 }
 
 template <int dim>
-void System<dim>::setup()
+void System<dim>::setup(const Solved fields)
 {
+  solved = fields;
   const auto timer = timings.measure("setup");
   formulation = formulations<dim>().create(formulation_name);
   formulation->setup(layout);
-  matrix.setup(layout, conditions);
+  const bool heated = layout.has(Field::temperature);
+  const auto is_solved = [heated, fields](const Cell<dim>& cell, const unsigned int c) {
+    const bool temperature = heated && c == cell.n_components - 1;
+    return fields == Solved::all || temperature == (fields == Solved::temperature);
+  };
+  matrix.setup(layout, conditions,
+               [is_solved](const Cell<dim>& cell, const unsigned int c, const unsigned int d) {
+                 return is_solved(cell, c) && is_solved(cell, d);
+               });
+  floating.setup();
   solver = std::make_unique<Mumps>(layout.communicator(), is_symmetric());
   state.internal.resize(layout.cells().size() * formulation->n_internal());
   start_internal();
   internal_residual.assign(state.internal.size(), 0.);
   eliminations.assign(layout.cells().size() * formulation->n_elimination(), 0.);
   raw_residual = layout.new_vector();
-  base = nodal_correction = nodal_response = layout.new_vector();
+  base = nodal_correction = nodal_response = loads = layout.new_vector();
   internal_base = internal_correction = internal_response = state.internal;
   state.x.update_ghost_values();
   compute_scales();
@@ -55,6 +66,13 @@ void System<dim>::start_internal()
   for (std::size_t cell = 0; cell < layout.cells().size(); ++cell)
     formulation->start_internal(*layout.cells()[cell].material, state.theta,
                                 state.internal.data() + cell * n_internal);
+}
+
+template <int dim>
+void System<dim>::setup(const Solved fields, const System& other)
+{
+  formulation_name = other.formulation_name;
+  setup(fields);
 }
 
 template <int dim>
@@ -87,6 +105,10 @@ void System<dim>::compute_scales()
   });
   volume = dealii::Utilities::MPI::sum(volume, layout.communicator());
   forces.compress(dealii::VectorOperation::add);
+  charge_scales.clear();
+  for (const Electrode& electrode : conditions.electrodes())
+    charge_scales.push_back(
+        dealii::Utilities::MPI::sum(electrode.own_sum(forces), layout.communicator()));
   conditions.constraints().set_zero(forces);
   scales.clear();
   for (unsigned int b = 0; b < forces.n_blocks(); ++b) {
@@ -111,12 +133,20 @@ ResidualReport System<dim>::residual()
     layout.scatter(view.cell, result.residual, raw_residual);
   });
   raw_residual.compress(dealii::VectorOperation::add);
+  if (solved != Solved::deformation)
+    heat.add_residual(state, raw_residual);
+  raw_residual -= loads;
+  clear_given(raw_residual);
 
   const BlockVector residual = free_residual();
+  // Pressures answer to a temperature, which does not answer to them.
   double norm =
-      std::sqrt(dealii::Utilities::MPI::sum(internal_error, layout.communicator()) / volume);
+      solved == Solved::temperature
+          ? 0.
+          : std::sqrt(dealii::Utilities::MPI::sum(internal_error, layout.communicator()) / volume);
   for (unsigned int b = 0; b < residual.n_blocks(); ++b)
-    norm = std::max(norm, residual.block(b).l2_norm() / scales[b]);
+    norm = std::max(norm, residual.block(b).l2_norm() / scale(b));
+  norm = std::max(norm, charge_error());
   min_det_F = dealii::Utilities::MPI::min(min_det_F, layout.communicator());
   if (std::isnan(norm))
     norm = std::numeric_limits<double>::infinity();
@@ -138,14 +168,18 @@ void System<dim>::assemble_tangent()
   const auto timer = timings.measure("tangent");
   CellResult result;
   matrix.clear();
+  floating.clear();
   int unstable = 0;
   for_each_cell([&](const CellView<dim>& view) {
     formulation->tangent(view, result);
     matrix.add(view.index, view.cell, result.tangent);
+    floating.add(view.index, view.cell, result.tangent);
     unstable += result.unstable_inside;
     keep_elimination(view.index, result);
   });
   matrix.finish();
+  if (solved != Solved::deformation)
+    heat.add_tangent(state, matrix);
   unstable_inside = dealii::Utilities::MPI::sum(unstable, layout.communicator());
 }
 
@@ -161,23 +195,46 @@ LinearReport System<dim>::linear_solve(const bool reuse)
     report = solver->factorise(matrix.matrix());
     if (!report.solved)
       return report;
+    floating.finish(*solver);
+    report.negative_pivots += floating.negative_pivots();
   }
   const auto timer = timings.measure("linear solve");
   nodal_correction.zero_out_ghost_values();
   nodal_correction = raw_residual;
   eliminate_internal(nodal_correction);
   nodal_correction *= -1.;
-  solve_tangent(nodal_correction);
+  solve_tangent(nodal_correction, floating.charges(state.charge));
   recover_internal(nodal_correction, internal_correction);
   return report;
 }
 
 template <int dim>
-void System<dim>::solve_tangent(BlockVector& vector)
+void System<dim>::solve_tangent(BlockVector& vector, const std::vector<double>& charges)
 {
+  std::vector<double> lacking = floating.sums(vector);
+  for (std::size_t k = 0; k < lacking.size(); ++k)
+    lacking[k] -= charges[k];
   conditions.constraints().set_zero(vector);
+  clear_given(vector);
   solver->solve(vector);
   conditions.constraints().set_zero(vector);
+  floating.correct(lacking, vector);
+}
+
+/// Largest error of the charge of a floating electrode in units of the scaled residual.
+template <int dim>
+double System<dim>::charge_error() const
+{
+  const std::vector<double> charges = floating.charges(state.charge),
+                            reactions = floating.sums(raw_residual);
+  double largest = 0.;
+  std::size_t k = 0;
+  for (std::size_t e = 0; e < conditions.electrodes().size(); ++e)
+    if (conditions.electrodes()[e].floats) {
+      largest = std::max(largest, std::abs(reactions[k] + charges[k]) / charge_scales[e]);
+      ++k;
+    }
+  return largest;
 }
 
 template <int dim>
@@ -251,18 +308,6 @@ void System<dim>::relax_internal()
 }
 
 template <int dim>
-Energies System<dim>::energies() const
-{
-  Energies sum;
-  for_each_cell([&](const CellView<dim>& view) {
-    const Energies one = formulation->energies(view);
-    sum.elastic += one.elastic;
-    sum.electric += one.electric;
-  });
-  return sum;
-}
-
-template <int dim>
 void System<dim>::move_to(const double step)
 {
   state.x = base;
@@ -279,7 +324,8 @@ long long System<dim>::unstable_directions(const long long negative_pivots) cons
       layout.has(Field::potential)
           ? static_cast<long long>(conditions.n_free(layout, Field::potential))
           : 0;
-  return negative_pivots + unstable_inside - expected;
+  const long long n_floating = floating.charges(0.).size();
+  return negative_pivots + unstable_inside - expected - n_floating;
 }
 
 template class System<2>;

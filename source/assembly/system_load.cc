@@ -28,11 +28,15 @@ void System<dim>::solve_load()
   const std::vector<double> kept_internal = internal_residual;
   BlockVector prescribed = layout.new_vector(), rate = layout.new_vector();
   std::vector<double> internal_rate(internal_residual.size(), 0.);
+  std::vector<double> charge_rate(floating.charges(0.).size(), 0.);
   for (const double side : {1., -1.}) {
     set_load(load + side * h);
     residual();
     prescribed.add(side / (2. * h), state.x);
     rate.add(side / (2. * h), raw_residual);
+    const std::vector<double> charges = floating.charges(state.charge);
+    for (std::size_t k = 0; k < charges.size(); ++k)
+      charge_rate[k] += side / (2. * h) * charges[k];
     for (std::size_t i = 0; i < internal_rate.size(); ++i)
       internal_rate[i] += side / (2. * h) * internal_residual[i];
   }
@@ -42,7 +46,7 @@ void System<dim>::solve_load()
   nodal_response = rate;
   eliminate_internal(nodal_response);
   nodal_response *= -1.;
-  solve_tangent(nodal_response);
+  solve_tangent(nodal_response, charge_rate);
   prescribed.zero_out_ghost_values();
   nodal_response += prescribed; // zero where nothing is prescribed
   recover_internal(nodal_response, internal_response);
@@ -70,12 +74,13 @@ double System<dim>::critical_mode(BlockVector& mode)
     mode.block(0)(i) = std::sin(1. + i); // no eigenvector is without a part of it
   conditions.constraints().set_zero(mode);
   mode /= mode.block(0).l2_norm();
+  const std::vector<double> no_charge(floating.charges(0.).size(), 0.);
   double eigenvalue = 0.;
   for (unsigned int iteration = 0; iteration < most_iterations; ++iteration) {
     BlockVector next = mode;
     for (unsigned int b = 1; b < next.n_blocks(); ++b)
       next.block(b) = 0.;
-    solve_tangent(next);
+    solve_tangent(next, no_charge);
     const double product = mode.block(0) * next.block(0), square = next.block(0).norm_sqr();
     eigenvalue = 1. / product;
     const double change = 1. - product * product / square;

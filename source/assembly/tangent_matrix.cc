@@ -32,7 +32,7 @@ std::vector<unsigned int> TangentMatrix<dim>::columns(const Cell<dim>& cell, con
   if (!is_free[i])
     return result;
   for (unsigned int d = 0; d < cell.n_components; ++d)
-    if (coupling(i % cell.n_components, d))
+    if (coupling(cell, i % cell.n_components, d))
       for (unsigned int j = d; j < cell.dofs.size(); j += cell.n_components)
         if (is_free[j])
           result.push_back(j);
@@ -180,6 +180,14 @@ void TangentMatrix<dim>::add_row(const Cell<dim>& cell, const std::size_t i, con
       values.push_back(entries[j]);
     }
   tangent.add(cell.dofs[i], indices.size(), indices.data(), values.data(), false);
+}
+
+template <int dim>
+void TangentMatrix<dim>::add_diagonal(const dealii::types::global_dof_index unknown,
+                                      const double value)
+{
+  if (!constraints->is_constrained(unknown))
+    *entry(unknown, unknown) += value;
 }
 
 template <int dim>

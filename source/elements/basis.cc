@@ -28,7 +28,7 @@ Integration<dim>::Integration(const FieldLayout<dim>& layout, const unsigned int
 {
   using dealii::update_inverse_jacobians;
   using dealii::update_JxW_values;
-  dealii::FEValues<dim> values(layout.scalar_element(), rule,
+  dealii::FEValues<dim> values(layout.mapping(), layout.scalar_element(), rule,
                                update_inverse_jacobians | update_JxW_values);
   for (const Cell<dim>& cell : layout.cells()) {
     values.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell.iterator));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace thelma
@@ -46,8 +47,7 @@ public:
 
   void residual(const CellView<dim>& view, CellResult& result) const override
   {
-    std::vector<double> x;
-    Base::residual(enhanced(view, x), result);
+    Base::residual(Enhanced(view).view, result);
     const auto own = result.residual.begin() + view.cell.dofs.size();
     result.internal.insert(result.internal.end(), own, result.residual.end());
     result.residual.erase(own, result.residual.end());
@@ -59,9 +59,14 @@ public:
 
   void tangent(const CellView<dim>& view, CellResult& result) const override
   {
-    std::vector<double> x;
-    Base::tangent(enhanced(view, x), result);
-    const std::size_t n_outer = view.cell.dofs.size(), n = x.size();
+    Base::tangent(Enhanced(view).view, result);
+    const int n_c = view.cell.n_components;
+    const std::size_t n_outer = view.cell.dofs.size(), n = n_nodes * n_c;
+    for (std::size_t k = n_outer; k < n; ++k) {
+      const bool heat = view.has_temperature && static_cast<int>(k % n_c) == n_c - 1;
+      if (heat ? !view.solves_temperature() : !view.solves_deformation())
+        result.tangent[k * n + k] = std::numeric_limits<double>::infinity(); // it does not move
+    }
     result.elimination.resize(n_elimination(), 0.);
     const unsigned int n_negative = eliminate_modes(
         n_outer, n, result.tangent.data(), Pivots(*this, n_outer, n, result.elimination.data()));
@@ -97,8 +102,7 @@ public:
 
   Energies energies(const CellView<dim>& view) const override
   {
-    std::vector<double> x;
-    return Base::energies(enhanced(view, x));
+    return Base::energies(Enhanced(view).view);
   }
 
   void pull_back(const CellView<dim>& view, double* values) const override
@@ -202,14 +206,40 @@ private:
     return sum;
   }
 
-  /// The cell with its modes as further nodes, their values in @p x.
-  CellView<dim> enhanced(const CellView<dim>& view, std::vector<double>& x) const
-  {
-    const double* alpha = view.internal + Base::n_internal();
-    x.assign(view.x, view.x + view.cell.dofs.size());
-    x.insert(x.end(), alpha, alpha + dim * view.cell.n_components);
-    return {view.index, view.cell, x.data(), view.internal, view.theta, view.has_temperature};
-  }
+  /// The cell with its modes as further nodes, now and in the past.
+  struct Enhanced {
+    explicit Enhanced(const CellView<dim>& plain)
+        : x(with_modes(plain, plain.x, plain.internal)), view(plain)
+    {
+      view.x = x.data();
+      if (!plain.history)
+        return;
+      history = *plain.history;
+      for (std::size_t k = 0; k < history.rates.n_past; ++k) {
+        past[k] = with_modes(plain, history.x[k], history.internal[k]);
+        history.x[k] = past[k].data();
+      }
+      view.history = &history;
+    }
+    Enhanced(const Enhanced&) = delete;
+    Enhanced& operator=(const Enhanced&) = delete;
+
+    std::vector<double> x;
+    std::array<std::vector<double>, 2> past;
+    CellHistory history;
+    CellView<dim> view;
+
+  private:
+    static std::vector<double> with_modes(const CellView<dim>& plain, const double* x,
+                                          const double* internal)
+    {
+      constexpr unsigned int n_before = 2 * (dim + 1); // p and t
+      const double* alpha = internal + n_before;
+      std::vector<double> all(x, x + plain.cell.dofs.size());
+      all.insert(all.end(), alpha, alpha + dim * plain.cell.n_components);
+      return all;
+    }
+  };
 
   /// (j_0 / j) times the slope of xi_k^2/2 on the cell, j_0 and the Jacobian being those of the
   /// centre: int Grad M_k dV = 0.

@@ -27,6 +27,12 @@ struct GivenPressure {
     constant.p = pressure[q];
     add_volumetric(kin, constant, d);
   }
+
+  void add_entropy_rate(const Material& material, const PointState<>& state,
+                        const PointRates& rates, EntropyRate& out) const
+  {
+    material.add_entropy_rate(state, rates, out);
+  }
 };
 
 } // namespace
@@ -62,15 +68,15 @@ struct PressureDilatation<dim>::Local {
           H[i][j] += w * v.dp_dJ * m[i] * m[j];
       }
       dp_dtheta[q] = v.dp_dtheta;
-      psi += w * v.psi;
+      stored.add(w, thelma::energies(v, points.input[q].state.theta));
     }
   }
 
   ModeMatrix H{};
   Modes p{}, R_p{}, R_t{};
   std::array<double, CellPoints<dim>::max> dp_dtheta{};
-  double psi = 0.; ///< integral of psi_v(t)
   double min_det;
+  Energies stored; ///< of psi_v(t)
 };
 
 template <int dim>
@@ -111,7 +117,7 @@ std::vector<Modes> PressureDilatation<dim>::polynomials(const unsigned int n_poi
 template <int dim>
 unsigned int PressureDilatation<dim>::n_elimination() const
 {
-  return n_modes * n_modes + (dim + (has_temperature ? 1 : 0)) * block_size();
+  return n_modes * n_modes + (dim + (has_temperature ? 2 : 0)) * block_size();
 }
 
 template <int dim>
@@ -147,6 +153,7 @@ void PressureDilatation<dim>::residual(const CellView<dim>& view, CellResult& re
     if (!(local.min_det > 0.))
       return;
     integrate_energy(view, points, own, local.p, false, result);
+    add_heat(view, own, false, result);
     result.internal.assign(local.R_p.begin(), local.R_p.begin() + n_modes);
     result.internal.insert(result.internal.end(), local.R_t.begin(), local.R_t.begin() + n_modes);
     const ModeMatrix& M = mass_inverse[view.index];
@@ -165,6 +172,7 @@ void PressureDilatation<dim>::tangent(const CellView<dim>& view, CellResult& res
     const Local local(*this, view, own);
     integrate_energy(view, points, own, local.p, true, result);
     add_condensed(view, own, local, result);
+    add_heat(view, own, true, result);
   });
 }
 
@@ -176,7 +184,7 @@ Energies PressureDilatation<dim>::energies(const CellView<dim>& view) const
     sum = integral(points, view, [](const Material& material, const PointState<>& state) {
       return material.energies(state);
     });
-    sum.elastic += Local(*this, view, own).psi;
+    sum.add(1., Local(*this, view, own).stored);
   });
   return sum;
 }
@@ -203,8 +211,6 @@ void PressureDilatation<dim>::add_condensed(const CellView<dim>& view,
                                             const CellPoints<dim>& points, const Local& local,
                                             CellResult& result) const
 {
-  constexpr unsigned int length = Gradients<dim>::length;
-  const unsigned int stride = rule().basis().stride, n_nodes = rule().basis().n_nodes;
   const int n_c = view.cell.n_components;
   const ModeMatrix& M = mass_inverse[view.index];
   result.elimination.assign(n_elimination(), 0.);
@@ -228,27 +234,45 @@ void PressureDilatation<dim>::add_condensed(const CellView<dim>& view,
       add_rows(modes[q], w * local.dp_dtheta[q], gradients.N, B + dim * block_size());
   }
 
-  alignas(32) std::array<double, length * length> C;
-  std::array<double, 8 * length> pressure;
+  if (!view.solves_deformation())
+    return;
+  ModeMatrix stiffness{};
+  for (unsigned int i = 0; i < n_modes; ++i)
+    std::copy_n(S + i * n_modes, n_modes, stiffness[i].begin());
+  const bool heated = view.solves_temperature();
   for (int c = 0; c < dim; ++c) {
-    std::array<const double*, 8> rows;
-    for (unsigned int i = 0; i < n_modes; ++i)
-      rows[i] = B + c * block_size() + i * stride;
-    for (int d = has_temperature ? 0 : c; d < dim + (has_temperature ? 1 : 0); ++d) {
-      std::fill_n(pressure.begin(), block_size(), 0.);
-      for (unsigned int i = 0; i < n_modes; ++i)
-        for (unsigned int j = 0; j < n_modes; ++j)
-          for (unsigned int b = 0; b < stride; ++b)
-            pressure[i * stride + b] +=
-                (d == dim ? M[i][j] : S[i * n_modes + j]) * B[d * block_size() + j * stride + b];
-      multiply(stride, n_modes, rows.data(), pressure.data(), n_nodes, C.data());
-      add_block(C.data(), n_nodes, n_c, c, d == dim ? n_c - 1 : d, !has_temperature && c != d,
-                result.tangent.data());
-    }
+    for (int d = heated ? 0 : c; d < dim; ++d)
+      add_product(B + c * block_size(), stiffness, B + d * block_size(), view, c, d,
+                  !heated && c != d, result);
+    if (heated)
+      add_product(B + c * block_size(), M, B + dim * block_size(), view, c, n_c - 1, false, result);
   }
 }
 
-/// R -= -B^T (M R_t + S R_p): what the pressure lacks where the nodes are.
+/// Add A^T S B to the block of the components c, d and, @p mirrored, its transpose.
+template <int dim>
+void PressureDilatation<dim>::add_product(const double* A, const ModeMatrix& S, const double* B,
+                                          const CellView<dim>& view, const int c, const int d,
+                                          const bool mirrored, CellResult& result) const
+{
+  constexpr unsigned int length = Gradients<dim>::length;
+  const unsigned int stride = rule().basis().stride, n_nodes = rule().basis().n_nodes;
+  alignas(32) std::array<double, length * length> C;
+  std::array<double, 8 * length> answer;
+  std::array<const double*, 8> rows;
+  std::fill_n(answer.begin(), block_size(), 0.);
+  for (unsigned int i = 0; i < n_modes; ++i) {
+    rows[i] = A + i * stride;
+    for (unsigned int j = 0; j < n_modes; ++j)
+      for (unsigned int b = 0; b < stride; ++b)
+        answer[i * stride + b] += S[i][j] * B[j * stride + b];
+  }
+  multiply(stride, n_modes, rows.data(), answer.data(), n_nodes, C.data());
+  add_block(C.data(), n_nodes, view.cell.n_components, c, d, mirrored, result.tangent.data());
+}
+
+/// R -= -B^T (M R_t + S R_p): what the pressure lacks where the nodes are; and what the dilatation
+/// lacks in the heat balance.
 template <int dim>
 void PressureDilatation<dim>::eliminate(const Elimination<dim>& cell, double* residual) const
 {
@@ -263,6 +287,13 @@ void PressureDilatation<dim>::eliminate(const Elimination<dim>& cell, double* re
     for (int c = 0; c < dim; ++c)
       for (unsigned int a = 0; a < n_nodes; ++a)
         residual[a * cell.n_components + c] += p * B[c * block_size() + i * stride + a];
+    if (!has_temperature)
+      continue;
+    double t = 0.;
+    for (unsigned int j = 0; j < n_modes; ++j)
+      t += M[i][j] * R_p[j];
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      residual[(a + 1) * cell.n_components - 1] += t * B[(dim + 1) * block_size() + i * stride + a];
   }
 }
 

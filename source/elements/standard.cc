@@ -28,12 +28,14 @@ public:
 
   Energies energies(const CellView<dim>& view) const override
   {
-    const auto density = [](const Material& material, const PointState<>& state) {
-      Energies one = material.energies(state);
-      one.elastic += material.thermal.volumetric(Kinematics<>(state.F).J, state.theta).psi;
-      return one;
-    };
-    return integral(CellPoints<dim>(*full, view), view, density);
+    return integral(
+        CellPoints<dim>(*full, view), view,
+        [](const Material& material, const PointState<>& state) {
+          const double J = Kinematics<>(state.F).J;
+          Energies sum = material.energies(state);
+          sum.add(1., thelma::energies(material.thermal.volumetric(J, state.theta), state.theta));
+          return sum;
+        });
   }
 
 private:

@@ -42,8 +42,9 @@ void FieldLayout<dim>::declare(dealii::ParameterHandler& prm)
   }
   const Section section(prm, {"Temperature"});
   prm.add_parameter("Model", temperature_model,
-                    "`uniform`: a number, no unknowns; `steady`: conduction in the deformed body.",
-                    Selection("uniform|steady"));
+                    "`uniform`: a number, no unknowns; `steady`: conduction in the deformed body; "
+                    "`transient`: the same over time, from the uniform Value at time 0.",
+                    Selection("uniform|steady|transient"));
 }
 
 template <int dim>
@@ -70,6 +71,7 @@ void FieldLayout<dim>::setup(const Mesh<dim>& mesh, const MaterialLibrary& mater
     present.push_back(Field::temperature);
 
   build_elements();
+  cell_mapping = std::make_unique<dealii::MappingQ<dim>>(mesh.is_curved() ? polynomial_degree : 1);
   dofs.reinit(mesh.triangulation());
   for (const auto& cell : dofs.active_cell_iterators())
     if (cell->is_locally_owned())

@@ -16,6 +16,7 @@ struct Gmsh {
   Gmsh()
   {
     gmsh::initialize();
+    gmsh::onelab::clear(); // what an earlier file was told outlives finalize()
     gmsh::option::setNumber("General.Terminal", 0);
     gmsh::option::setNumber("General.NumThreads", 1);
     gmsh::option::setNumber("General.AbortOnError", 0); // errors are read from the log
@@ -61,7 +62,6 @@ void set_parameters(const std::string& file, const std::map<std::string, double>
   };
   known.erase(std::remove_if(known.begin(), known.end(), belongs_to_gmsh), known.end());
   gmsh::clear();
-  gmsh::onelab::clear(); // what an earlier file was told outlives finalize()
   for (const auto& [name, value] : parameters) {
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw InputError("section Mesh, entry 'Parameters': '" + file + "' has no parameter '" +

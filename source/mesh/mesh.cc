@@ -6,6 +6,7 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
 
@@ -72,6 +73,10 @@ void Mesh<dim>::declare(dealii::ParameterHandler& prm)
   prm.add_parameter("Refinements", refinements,
                     "How often every cell is halved in each direction after meshing.",
                     Integer(0, 20));
+  prm.add_parameter("Curved", curved,
+                    "Where edges between vertices are arcs: `nowhere`, or all of them `around x2`, "
+                    "the axis of a tube.",
+                    Selection("nowhere|around x2"));
   prm.add_parameter("Imperfection", imperfection,
                     "Amplitude in mm of the displacement of the vertices before the calculation "
                     "starts, so that the body leaves an unstable straight path.",
@@ -122,6 +127,13 @@ void Mesh<dim>::create_triangulation(const CoarseMesh& coarse)
     check_orientation(vertices, cells);
   }
   tria.create_triangulation(vertices, cells, dealii::SubCellData());
+  if (is_curved()) {
+    tria.set_all_manifold_ids(0);
+    if constexpr (dim == 2)
+      tria.set_manifold(0, dealii::PolarManifold<dim>());
+    else
+      tria.set_manifold(0, dealii::CylindricalManifold<dim>(1));
+  }
 }
 
 template <int dim>

@@ -139,10 +139,13 @@ void FieldWriter<dim>::write(const Scene<dim>& scene, const std::string& folder,
   dealii::DataOut<dim> out;
   out.add_data_vector(scene.layout.dof_handler(), x, names, kinds);
   out.add_data_vector(scene.layout.dof_handler(), x, quantities);
-  out.build_patches(scene.layout.degree());
+  out.build_patches(scene.layout.mapping(), scene.layout.degree(),
+                    dealii::DataOut<dim>::curved_inner_cells);
   const std::string file =
       out.write_vtu_with_pvtu_record(folder + "/", "fields", step, scene.layout.communicator(), 4);
 
+  if (!written.empty() && written.back().first == load)
+    written.pop_back(); // on the way to the state at time 0
   written.emplace_back(load, file);
   on_rank_0(scene.layout.communicator(), [&]() {
     std::ostringstream pvd;

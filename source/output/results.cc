@@ -49,6 +49,8 @@ template <int dim>
 void Results<dim>::setup(const Scene<dim>& scene, const double theta)
 {
   std::vector<std::string> columns{"step", "load", "voltage_kV", "e", "theta_K"};
+  if (scene.layout.is_transient())
+    columns.insert(columns.begin() + 2, "time_s");
   for (const auto& entry : observed) {
     entry.second->setup(scene);
     for (const std::string& column : entry.second->columns())
@@ -104,6 +106,8 @@ void Results<dim>::add(const Scene<dim>& scene, const PathPoint& point, const Ne
   const auto timer = timings.measure("output");
   std::vector<double> row{double(curve->n_rows()), point.load, scene.state.voltage, point.e,
                           mean_temperature(scene)};
+  if (scene.layout.is_transient())
+    row.insert(row.begin() + 2, scene.state.time);
   for (const auto& entry : observed)
     for (const double value : entry.second->evaluate(scene))
       row.push_back(value);
@@ -115,7 +119,7 @@ void Results<dim>::add(const Scene<dim>& scene, const PathPoint& point, const Ne
   curve->add(row);
   curve->set_event(point.event);
   on_rank_0(comm, [&]() { curve->write(folder + "/curve.csv"); });
-  fields.write(scene, folder, curve->n_rows() - 1, point.load, false);
+  fields.write(scene, folder, curve->n_rows() - 1, abscissa(scene, point.load), false);
   print_step(scene, point, report);
 }
 
@@ -144,16 +148,25 @@ double Results<dim>::value(const Scene<dim>& scene, const std::string& column)
 }
 
 template <int dim>
+double Results<dim>::abscissa(const Scene<dim>& scene, const double load)
+{
+  return scene.layout.is_transient() ? scene.state.time : load;
+}
+
+template <int dim>
 void Results<dim>::print_step(const Scene<dim>& scene, const PathPoint& point,
                               const NewtonReport& report)
 {
   std::ostringstream line;
   line << "  step " << std::setw(3) << curve->n_rows() - 1 << "  load " << std::fixed
-       << std::setprecision(6) << point.load << "  e " << point.e << "  V " << std::setprecision(4)
-       << scene.state.voltage << " kV  Newton " << report.iterations << std::scientific
-       << std::setprecision(1) << "  residual " << report.residuals.back() << std::fixed
-       << std::setprecision(4) << "  min det F " << report.min_det_F << std::defaultfloat
-       << std::setprecision(3) << "  step size " << point.step_size;
+       << std::setprecision(6) << point.load;
+  if (scene.layout.is_transient())
+    line << "  time " << scene.state.time << " s";
+  line << "  e " << point.e << "  V " << std::setprecision(4) << scene.state.voltage
+       << " kV  Newton " << report.iterations << std::scientific << std::setprecision(1)
+       << "  residual " << report.residuals.back() << std::fixed << std::setprecision(4)
+       << "  min det F " << report.min_det_F << std::defaultfloat << std::setprecision(3)
+       << "  step size " << point.step_size;
   if (point.part > 0.)
     line << "  left at most " << std::fixed << std::setprecision(1)
          << stopwatch.seconds() * (1. - point.part) / point.part << " s";
@@ -172,7 +185,8 @@ void Results<dim>::finish(const Scene<dim>& scene, Outcome& outcome)
     }
   }
   if (!curve->empty()) {
-    fields.write(scene, folder, curve->n_rows() - 1, scene.state.accepted_load(), true);
+    fields.write(scene, folder, curve->n_rows() - 1, abscissa(scene, scene.state.accepted_load()),
+                 true);
     for (const std::string& column : curve->names())
       outcome.final_values.emplace_back(column, *curve->newest(column));
   }

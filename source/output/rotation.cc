@@ -31,7 +31,7 @@ public:
 
   void setup(const Scene<dim>& scene) override
   {
-    const dealii::MappingQ1<dim> mapping;
+    const dealii::Mapping<dim>& mapping = scene.layout.mapping();
     const auto& points = scene.layout.scalar_element().get_unit_support_points();
     const auto owned = scene.layout.dof_handler().locally_owned_dofs();
     double tolerance = std::numeric_limits<double>::max();

@@ -16,7 +16,8 @@ from figures import bodies
 
 EXPANSIONS, TEMPERATURES = (0.0, 1.8e-4), (273.0, 353.0)
 SWEPT = ("Materials/elastomer/Thermal expansion", "Temperature/Value")
-SIZES = {"planar": (5, 5, 1), "bending": (1, 4, 20), "buckling": (1, 4, 20)}  # mm
+SIZES = {"planar": (5, 5, 1), "bending": (1, 4, 20), "heated": (1, 4, 20),
+         "buckling": (1, 4, 20)}  # mm
 
 
 def deformation(points):
@@ -60,9 +61,12 @@ def write_case(directory, theta, alpha, fields=None):
     for e, tip in ((c.e, c.tip(40)) for c in bending_exact.circles(m, theta, [0, 0.3, 0.6])):
         field = float(m.field(e, theta))
         stretch = planar_exact.stable_state(m, theta, field)[1]
-        rows.append([field, e, theta, stretch, tip / 2, 80 * e, 5 * e, ""])
-    write_csv(directory / "curve.csv", ("voltage_kV", "e", "theta_K", "lambda_3", "tip_u1_mm",
-                                        "end_rotation_deg", "centre_u1_mm", "event"), rows)
+        rows.append([field, e, theta, stretch, tip / 2, 80 * e, 5 * e, 10 * e, 40 * e, theta - 10,
+                     theta + 10, ""])
+    write_csv(directory / "curve.csv",
+              ("voltage_kV", "e", "theta_K", "lambda_3", "tip_u1_mm", "end_rotation_deg",
+               "centre_u1_mm", "time_s", "mid_rotation_deg", "theta_min_K", "theta_max_K",
+               "event"), rows)
     (directory / "used.prm").write_text(USED_PRM.format(alpha=alpha))
     if fields:
         write_vtu(directory / "fields_0002.vtu", fields)
@@ -86,11 +90,13 @@ def write_results(folder):
                  "buckling_pump_quarter"):
         write_study(folder / "studies" / name, TEMPERATURES, EXPANSIONS)
     for name in ("planar_actuator", "bending_actuator", "bending_actuator_plane",
-                 "bending_hot_face", "bending_hot_end", "buckling_pump", "buckling_pump_quarter"):
+                 "bending_hot_face", "bending_hot_end", "heated_bending", "buckling_pump",
+                 "buckling_pump_quarter"):
         size = SIZES[name.split("_")[0]]
-        plane = name in ("bending_actuator_plane", "bending_hot_face", "bending_hot_end")
+        plane = name in ("bending_actuator_plane", "bending_hot_face", "bending_hot_end",
+                         "heated_bending")
         write_study(folder / "figures" / name, (353.0,),
-                    EXPANSIONS if "quarter" in name else (0.0,), size[::2] if plane else size)
+                    EXPANSIONS if "quarter" in name or "heated" in name else (0.0,), size[::2] if plane else size)
 
 
 def plot(folder, *figures):
@@ -111,7 +117,7 @@ class Plot(unittest.TestCase):
         result = plot(self.folder)
         self.assertEqual(result.returncode, 0, result.stderr)
         pictures = list((self.folder / "pictures").glob("*.png"))
-        self.assertEqual(len(pictures), 8)
+        self.assertEqual(len(pictures), 10)
         for picture in pictures:
             self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
             self.assertLess(picture.stat().st_size, 200e3)

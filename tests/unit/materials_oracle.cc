@@ -118,6 +118,56 @@ TEST(MaterialsOracle, LawsWithVolumetricEnergy)
   compare_every_material([](const auto& material) { return total(material); });
 }
 
+/// The rate of entropy at random rates: its derivatives by Sacado on the hand-written second
+/// derivatives, with deta/dF = -dP/dtheta and deta/dE = dD/dtheta.
+template <class Law>
+void compare_entropy_rate(const Law& law, const EntropyRate& ours, const PointState<>& state,
+                          const PointRates& rates, const Scales& scale, WorstErrors& errors)
+{
+  const SecondDerivatives<Ad> d = law.second(seeded(state));
+  Ad h = 0.;
+  Tensor3<2> deta_dF;
+  Tensor3<1> deta_dE;
+  for (unsigned int i = 0; i < 3; ++i) {
+    for (unsigned int J = 0; J < 3; ++J) {
+      h -= d.dP_dtheta[i][J] * rates.F[i][J];
+      deta_dF[i][J] = -d.dP_dtheta[i][J].val();
+    }
+    h += d.dD_dtheta[i] * rates.E[i];
+    deta_dE[i] = d.dD_dtheta[i].val();
+  }
+  const double unit = scale.stress / scale.theta_0;
+  errors.add("h", ours.h, h.val(), unit);
+  errors.add("dh/dF", ours.d_dF, d_dF(h), unit);
+  errors.add("dh/dE", ours.d_dE, d_dE(h), scale.displacement / scale.theta_0);
+  errors.add("dh/dtheta", ours.d_dtheta, d_dtheta(h), unit / scale.theta_0);
+  errors.add("dh/dF_dot", ours.d_dFdot, deta_dF, unit);
+  errors.add("dh/dE_dot", ours.d_dEdot, deta_dE, scale.displacement / scale.theta_0);
+}
+
+TEST(MaterialsOracle, EntropyRate)
+{
+  for_each_material([&](auto* type, const std::string& elastic, const std::string& dielectric) {
+    for (const char* entries : parameter_sets) {
+      SCOPED_TRACE(testing::Message() << elastic << " with " << dielectric << ", " << entries);
+      const auto material = material_with<std::remove_pointer_t<decltype(type)>>(entries);
+      RandomStates states;
+      WorstErrors errors;
+      for (unsigned int n = 0; n < n_states; ++n) {
+        const PointState<> state = states.next(*material);
+        const Scales scale(*material, state.theta);
+        const PointRates rates{states.deformation(), states.next(*material).E};
+        EntropyRate part;
+        material->add_entropy_rate(state, rates, part);
+        compare_entropy_rate(without_volumetric(*material), part, state, rates, scale, errors);
+        add_volumetric_entropy_rate(material->thermal, state, rates, part);
+        compare_entropy_rate(total(*material), part, state, rates, scale, errors);
+      }
+      errors.expect_below(tolerance);
+    }
+  });
+}
+
 /// psi_v of theory.md, eq. 6, written once more.
 template <typename Number>
 Number volumetric_energy(const Thermal& thermal, const Number& J, const Number& theta)

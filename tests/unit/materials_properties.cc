@@ -114,19 +114,24 @@ TEST(MaterialsProperties, SymmetricTangent)
 }
 
 /// psi = elastic + psi_v - electric + psi_t: under voltage the field energy enters with a minus.
+/// The inner energy psi + theta eta + E.D is the sum of the stored ones.
 TEST(MaterialsProperties, EnergiesAddUp)
 {
   for_each_law(acrylic, [](const auto& material, const auto& law) {
     RandomStates random;
     for (unsigned int n = 0; n < 100; ++n) {
       const PointState<> state = random.next(material);
-      const Energies energies = material.energies(state);
+      Energies energies = material.energies(state);
       const double psi = law.psi(state);
-      const double volumetric =
-          material.thermal.volumetric(Kinematics<>(state.F).J, state.theta).psi;
-      EXPECT_NEAR(energies.elastic + volumetric - energies.electric +
-                      material.thermal.psi(state.theta),
+      const Volumetric<> v = material.thermal.volumetric(Kinematics<>(state.F).J, state.theta);
+      EXPECT_NEAR(energies.elastic + v.psi - energies.electric + material.thermal.psi(state.theta),
                   psi, 1e-13 * (1. + std::abs(psi)));
+      const FirstDerivatives<> first = law.first(state);
+      const double inner = psi + state.theta * first.eta + contract(state.E, first.D);
+      energies.add(1., thelma::energies(v, state.theta));
+      EXPECT_NEAR(energies.elastic + energies.electric + energies.thermal +
+                      material.thermal.c * (state.theta - material.thermal.theta_0),
+                  inner, 1e-12 * (1. + std::abs(inner)));
       EXPECT_GE(energies.elastic, 0.);
       EXPECT_GE(energies.electric, 0.);
     }

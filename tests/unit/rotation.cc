@@ -59,7 +59,7 @@ void roll_up(TestScene<3>& scene, const double load)
 /// are 60 times worse here.
 TEST(Predictor, FollowsABodyThatRollsUp)
 {
-  TestScene<3> scene(bilayer(false, "mean dilatation", 2));
+  TestScene<3> scene(bilayer("uniform", "mean dilatation", 2));
   Predictor<3> predictor(scene.layout, scene.conditions, scene.state);
   predictor.setup(scene.system.element());
   for (const double load : {0.5, 0.7, 0.9}) {

@@ -15,18 +15,20 @@ template <int dim>
 struct TestScene {
   explicit TestScene(const std::string& text, const double theta = 293.)
       : file(ParameterFile::from_text(text)), materials(file), mesh(MPI_COMM_WORLD),
-        system(layout, conditions, state, timings)
+        system(layout, conditions, heat, state, timings)
   {
     dealii::ParameterHandler prm;
     materials.declare(prm);
     mesh.declare(prm);
     layout.declare(prm);
     conditions.declare(prm);
+    heat.declare(prm);
     system.declare(prm);
     file.read(prm);
     mesh.read(THELMA_SOURCE_DIR);
     layout.setup(mesh, materials);
     conditions.setup(mesh, layout);
+    heat.setup(mesh, layout, conditions);
     state.theta = theta;
     state.x = layout.new_vector();
     if (layout.has(Field::temperature))
@@ -40,6 +42,7 @@ struct TestScene {
   Mesh<dim> mesh;
   FieldLayout<dim> layout;
   BoundaryConditions<dim> conditions;
+  NodalHeat<dim> heat;
   State state;
   Timings timings;
   System<dim> system;
@@ -60,8 +63,9 @@ void add_noise(const TestScene<dim>& scene, const std::vector<double>& amplitude
   x.update_ghost_values();
 }
 
-/// The two-layer bending actuator, small: potential in one layer, optionally a temperature field.
-inline std::string bilayer(const bool temperature_field, const std::string& formulation,
+/// The two-layer bending actuator, small: potential in one layer, a uniform temperature or a field
+/// of the @p model steady or transient.
+inline std::string bilayer(const std::string& model, const std::string& formulation,
                            const int degree)
 {
   return "subsection Mesh\n set File = meshes/bilayer.geo\n"
@@ -75,9 +79,11 @@ inline std::string bilayer(const bool temperature_field, const std::string& form
          "\nend\n"
          "subsection Supports\n set Fixed = x3_min: u3, x2_min: u2, x2_max: u2, pin: u1\nend\n"
          "subsection Electrodes\n set Potential = interface: 0, outer: 1\nend\n" +
-         (temperature_field ? "subsection Temperature\n set Model = steady\n"
-                              " set Fixed = outer: 353, back: 293\nend\n"
-                            : "");
+         (model == "uniform" ? ""
+                             : "subsection Temperature\n set Model = " + model +
+                                   "\n set Fixed = outer: 353, back: 293\nend\n"
+                                   "subsection Heat\n set Convection = x3_max: 0.3\n"
+                                   " set Surroundings = x3_max: 300\nend\n");
 }
 
 } // namespace thelma_test

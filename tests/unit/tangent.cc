@@ -16,14 +16,22 @@ namespace
 using namespace thelma_test;
 
 struct Case {
-  bool temperature_field;
+  const char* temperature;
   const char* formulation;
   int degree;
+  StructuralHeat heat = StructuralHeat::none;
 };
+
+std::string heat_name(const Case& c)
+{
+  return c.heat == StructuralHeat::power     ? "Power"
+         : c.heat == StructuralHeat::entropy ? "Entropy"
+                                             : "";
+}
 
 void PrintTo(const Case& c, std::ostream* out)
 {
-  *out << c.formulation << ", degree " << c.degree;
+  *out << c.formulation << ", degree " << c.degree << ", " << c.temperature << " " << heat_name(c);
 }
 
 class Tangent : public testing::TestWithParam<Case>
@@ -50,13 +58,32 @@ void set_bent_state(TestScene<dim>& scene, const double curvature)
   scene.state.x.update_ghost_values();
 }
 
+/// In transient cases with two accepted states behind it, at uneven times.
+void set_state(const Case& c, TestScene<3>& scene)
+{
+  double time = 0.;
+  if (std::string(c.temperature) == "transient")
+    for (const double curvature : {0.05, 0.12}) {
+      set_bent_state(scene, curvature);
+      add_noise(scene, {0.01 * curvature, 0.3, 5.}, scene.state.x);
+      scene.system.relax_internal();
+      time += curvature;
+      scene.state.accept(time);
+    }
+  set_bent_state(scene, 0.2);
+  add_noise(scene, {0.01, 0.3, 5.}, scene.state.x);
+  if (time > 0.) {
+    scene.state.rates = backward_differences(time + 0.2, {time - 0.12, time}, 2);
+    scene.state.rates->heat = c.heat;
+  }
+  scene.system.relax_internal();
+}
+
 TEST_P(Tangent, IsTheDerivativeOfTheResidual)
 {
   const Case c = GetParam();
-  TestScene<3> scene(bilayer(c.temperature_field, c.formulation, c.degree), 330.);
-  set_bent_state(scene, 0.2);
-  add_noise(scene, {0.01, 0.3, 5.}, scene.state.x);
-  scene.system.relax_internal();
+  TestScene<3> scene(bilayer(c.temperature, c.formulation, c.degree), 330.);
+  set_state(c, scene);
   ASSERT_TRUE(scene.system.residual().admissible());
   scene.system.assemble_tangent();
   const BlockVector x = scene.state.x;
@@ -100,10 +127,8 @@ TEST_P(Tangent, IsTheDerivativeOfTheResidual)
 TEST_P(Tangent, GivesNewtonSecondOrder)
 {
   const Case c = GetParam();
-  TestScene<3> scene(bilayer(c.temperature_field, c.formulation, c.degree), 330.);
-  set_bent_state(scene, 0.2);
-  add_noise(scene, {0.01, 0.3, 5.}, scene.state.x);
-  scene.system.relax_internal();
+  TestScene<3> scene(bilayer(c.temperature, c.formulation, c.degree), 330.);
+  set_state(c, scene);
   const BlockVector solution = scene.state.x;
   ASSERT_TRUE(scene.system.residual().admissible());
   const BlockVector forces = scene.system.free_residual();
@@ -125,7 +150,7 @@ TEST_P(Tangent, GivesNewtonSecondOrder)
     correction.add(distance, direction);
     return correction.l2_norm();
   };
-  const double far = error_after_a_step_from(0.5), near = error_after_a_step_from(0.25);
+  const double far = error_after_a_step_from(0.25), near = error_after_a_step_from(0.125);
   EXPECT_GE(std::log2(far / near), 1.8) << far << " " << near;
 }
 
@@ -134,7 +159,7 @@ TEST_P(Tangent, GivesNewtonSecondOrder)
 TEST_P(Tangent, ResidualIsTheSlopeOfTheEnergy)
 {
   const Case c = GetParam();
-  TestScene<3> scene(bilayer(c.temperature_field, c.formulation, c.degree), 330.);
+  TestScene<3> scene(bilayer(c.temperature, c.formulation, c.degree), 330.);
   set_bent_state(scene, 0.2);
   add_noise(scene, {0.01, 0.3, 5.}, scene.state.x);
   const BlockVector x = scene.state.x;
@@ -191,16 +216,31 @@ TEST(NewtonAlongACurve, ResidualsFallQuadraticallyInEveryStep)
 
 INSTANTIATE_TEST_SUITE_P(
     Formulations, Tangent,
-    testing::Values(Case{false, "selective reduced", 1}, Case{false, "standard", 1},
-                    Case{false, "selective reduced", 2}, Case{false, "mean dilatation", 1},
-                    Case{false, "mean dilatation", 2}, Case{true, "mean dilatation", 2},
-                    Case{true, "selective reduced", 1}, Case{true, "standard", 2},
-                    Case{false, "enhanced strain", 1}, Case{true, "enhanced strain", 1}),
+    testing::Values(Case{"uniform", "selective reduced", 1}, Case{"uniform", "standard", 1},
+                    Case{"uniform", "selective reduced", 2}, Case{"uniform", "mean dilatation", 1},
+                    Case{"uniform", "mean dilatation", 2}, Case{"steady", "mean dilatation", 2},
+                    Case{"steady", "selective reduced", 1}, Case{"steady", "standard", 2},
+                    Case{"transient", "mean dilatation", 1},
+                    Case{"transient", "mean dilatation", 1, StructuralHeat::power},
+                    Case{"transient", "mean dilatation", 1, StructuralHeat::entropy},
+                    Case{"transient", "mean dilatation", 2, StructuralHeat::power},
+                    Case{"transient", "mean dilatation", 2, StructuralHeat::entropy},
+                    Case{"transient", "selective reduced", 1, StructuralHeat::power},
+                    Case{"transient", "selective reduced", 1, StructuralHeat::entropy},
+                    Case{"transient", "standard", 1, StructuralHeat::power},
+                    Case{"transient", "standard", 1, StructuralHeat::entropy},
+                    Case{"uniform", "enhanced strain", 1}, Case{"steady", "enhanced strain", 1},
+                    Case{"transient", "enhanced strain", 1, StructuralHeat::power},
+                    Case{"transient", "enhanced strain", 1, StructuralHeat::entropy}),
     [](const auto& info) {
       std::string name = info.param.formulation;
       name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
+      const std::string model = info.param.temperature;
       return name + std::to_string(info.param.degree) +
-             (info.param.temperature_field ? "WithTheta" : "");
+             (model == "uniform"  ? ""
+              : model == "steady" ? "WithTheta"
+                                  : "InTime") +
+             heat_name(info.param);
     });
 
 } // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <thelma/assembly/tangent_matrix.h>
+#include <thelma/assembly/floating_electrodes.h>
+#include <thelma/assembly/nodal_heat.h>
 #include <thelma/base/timings.h>
 #include <thelma/elements/formulation.h>
 #include <thelma/fields/state.h>
@@ -20,13 +21,17 @@ template <int dim>
 class System : public LoadedSystem
 {
 public:
-  System(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions, State& state,
-         Timings& timings);
+  System(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
+         const NodalHeat<dim>& heat, State& state, Timings& timings);
 
   void declare(dealii::ParameterHandler& prm);
 
-  /// Build matrix, formulation and solver; the fields and constraints must stand.
-  void setup();
+  /// Build matrix, formulation and solver for the fields to be solved; the fields and constraints
+  /// must stand.
+  void setup(Solved fields = Solved::all);
+
+  /// The same with the formulation of @p other.
+  void setup(Solved fields, const System& other);
 
   /// Set the internal unknowns to those of the stress-free body at the uniform temperature.
   void start_internal();
@@ -58,6 +63,12 @@ public:
   const BlockVector& reactions() const { return raw_residual; }
   BlockVector free_residual() const;
 
+  /// Hold the body with these nodal forces, charges and heat flows (N, minus uC, mW).
+  void set_loads(const BlockVector& forces) { loads = forces; }
+
+  /// What enters through the walls, all of them, at the newest residual.
+  HeatInflow heat_inflow() const;
+
   /// Call @p visit for each own cell at the current iterate.
   template <typename Visitor>
   void for_each_cell(const Visitor& visit) const;
@@ -73,7 +84,7 @@ public:
 
   /// The tangent has this many negative eigenvalues when the state is stable; none may be said of
   /// an unsymmetric one.
-  bool is_symmetric() const { return !layout.has(Field::temperature); }
+  bool is_symmetric() const { return !layout.has(Field::temperature) || solved != Solved::all; }
   long long unstable_directions(long long negative_pivots) const;
 
 private:
@@ -84,29 +95,39 @@ private:
   void recover_internal(BlockVector& dx, std::vector<double>& values) const;
 
   double orientation(BlockVector& mode) const;
+  double charge_error() const;
 
-  /// Replace minus a nodal residual by the correction that belongs to it.
-  void solve_tangent(BlockVector& vector);
+  /// Replace minus a nodal residual by the correction that belongs to it; the charges of floating
+  /// electrodes lack @p charges.
+  void solve_tangent(BlockVector& vector, const std::vector<double>& charges);
   Elimination<dim> elimination(std::size_t cell) const;
   void keep_elimination(std::size_t cell, const CellResult& result);
 
   /// Norms of the nodal forces that a unit stress mu (displacement sqrt(eps mu), heat flux
   /// k * 1 K/mm) exerts: the units of each field's residual.
   void compute_scales();
+  double scale(unsigned int block) const;
+
+  /// Zero what belongs to given unknowns.
+  void clear_given(BlockVector& x) const;
 
   const FieldLayout<dim>& layout;
   const BoundaryConditions<dim>& conditions;
+  const NodalHeat<dim>& heat;
   State& state;
   Timings& timings;
+  Solved solved = Solved::all;
 
   std::string formulation_name = "selective reduced";
   std::unique_ptr<Formulation<dim>> formulation;
   TangentMatrix<dim> matrix;
+  FloatingElectrodes<dim> floating;
+  std::vector<double> charge_scales; ///< of all electrodes
   std::unique_ptr<Mumps> solver;
   std::vector<double> scales; ///< per block
   double volume = 0.;         ///< mm^dim
   int unstable_inside = 0;    ///< directions in all cells, at the last tangent
-  BlockVector raw_residual, base, nodal_correction, nodal_response;
+  BlockVector raw_residual, loads, base, nodal_correction, nodal_response;
   std::vector<double> internal_base, internal_correction, internal_response;
   std::vector<double> internal_residual; ///< of all own cells
   std::vector<double> eliminations;      ///< of all own cells, of the tangent last assembled
@@ -119,12 +140,28 @@ template <typename Visitor>
 void System<dim>::for_each_cell(const Visitor& visit) const
 {
   const std::size_t n_internal = formulation ? formulation->n_internal() : 0;
-  std::vector<double> x;
+  const bool has_history =
+      state.rates && state.rates->heat != StructuralHeat::none && solved != Solved::deformation;
+  std::vector<double> x, past[2];
+  CellHistory history;
   std::size_t index = 0;
   for (const Cell<dim>& cell : layout.cells()) {
     layout.gather(cell, state.x, x);
-    visit(CellView<dim>{index, cell, x.data(), state.internal.data() + index * n_internal,
-                        state.theta, layout.has(Field::temperature)});
+    CellView<dim> view{index,       cell,
+                       x.data(),    state.internal.data() + index * n_internal,
+                       state.theta, layout.has(Field::temperature),
+                       solved};
+    if (has_history) {
+      history.rates = *state.rates;
+      for (std::size_t k = 0; k < history.rates.n_past; ++k) {
+        const State::Accepted& accepted = state.path()[state.path().size() - 1 - k];
+        layout.gather(cell, accepted.x, past[k]);
+        history.x[k] = past[k].data();
+        history.internal[k] = accepted.internal.data() + index * n_internal;
+      }
+      view.history = &history;
+    }
+    visit(view);
     ++index;
   }
 }

@@ -19,18 +19,22 @@ template <int dim>
 class TangentMatrix
 {
 public:
-  /// Which pairs of components have entries; a component without any keeps 1 on the diagonal.
-  using Coupling = std::function<bool(unsigned int, unsigned int)>;
+  /// Which pairs of a cell's components have entries; a component without any keeps 1 on the
+  /// diagonal.
+  using Coupling = std::function<bool(const Cell<dim>&, unsigned int, unsigned int)>;
 
   void setup(
       const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
-      Coupling coupling = [](unsigned int, unsigned int) { return true; });
+      Coupling coupling = [](const Cell<dim>&, unsigned int, unsigned int) { return true; });
 
   /// Begin a new assembly.
   void clear();
 
   /// Add the tangent of the own cell @p index, row by row in the order of Cell::dofs.
   void add(std::size_t index, const Cell<dim>& cell, const std::vector<double>& entries);
+
+  /// Add @p value to the diagonal of an own unknown; nothing where it has no equation.
+  void add_diagonal(dealii::types::global_dof_index unknown, double value);
 
   /// End the assembly: exchange the rows of other ranks.
   void finish();

@@ -131,10 +131,15 @@ inline void add_block(const double* C, const unsigned int n_nodes, const unsigne
   }
 }
 
+/// Which components of a cell the Fields are: @p first to first + Fields::n of @p n.
+struct CellComponents {
+  unsigned int first, n;
+};
+
 /// R_ac += sum_qJ S_q,cJ dN_a/dX_J, the weights being in S.
 template <typename Fields>
 void add_residual(const Gradients<Fields::dim>* gradients, const PointSystem<Fields>* systems,
-                  const unsigned int n_points, double* residual)
+                  const unsigned int n_points, const CellComponents& components, double* residual)
 {
   constexpr int dim = Fields::dim, n_c = Fields::n;
   const unsigned int n_nodes = gradients->n_nodes, stride = gradients->stride;
@@ -146,7 +151,7 @@ void add_residual(const Gradients<Fields::dim>* gradients, const PointSystem<Fie
           rows[c][a] += systems[q].S[c][J] * gradients[q].g[J][a];
   for (unsigned int a = 0; a < n_nodes; ++a)
     for (int c = 0; c < n_c; ++c)
-      residual[a * n_c + c] += rows[c][a];
+      residual[a * components.n + components.first + c] += rows[c][a];
 }
 
 /// K_ac,bd += sum_qJ dN_a/dX_J (M_cJLd dN_b/dX_L + m_cJ N_b [d is theta]), in two stages: the
@@ -154,7 +159,7 @@ void add_residual(const Gradients<Fields::dim>* gradients, const PointSystem<Fie
 /// temperature the tangent is symmetric and half of the components' pairs do.
 template <typename Fields>
 void add_tangent(const Gradients<Fields::dim>* gradients, const PointSystem<Fields>* systems,
-                 const unsigned int n_points, double* tangent)
+                 const unsigned int n_points, const CellComponents& components, double* tangent)
 {
   constexpr int dim = Fields::dim, n_c = Fields::n;
   constexpr unsigned int max_rows = Basis<dim>::max_points * dim, length = Gradients<dim>::length;
@@ -183,7 +188,8 @@ void add_tangent(const Gradients<Fields::dim>* gradients, const PointSystem<Fiel
                 row[b] += systems[q].m[c][J] * gradients[q].N[b];
         }
       multiply(stride, n_points * dim, g.data(), T.data(), n_nodes, C.data());
-      add_block(C.data(), n_nodes, n_c, c, d, !Fields::has_temperature && c != d, tangent);
+      add_block(C.data(), n_nodes, components.n, components.first + c, components.first + d,
+                !Fields::has_temperature && c != d, tangent);
     }
 }
 

@@ -2,13 +2,21 @@
 
 #include <thelma/base/named_list.h>
 #include <thelma/elements/basis.h>
+#include <thelma/fields/rates.h>
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <vector>
 
 namespace thelma
 {
+
+/// The accepted states behind a cell's iterate, newest first, for its rates.
+struct CellHistory {
+  Rates rates;
+  std::array<const double*, 2> x, internal;
+};
 
 /// One cell at one iterate.
 template <int dim>
@@ -19,6 +27,11 @@ struct CellView {
   const double* internal; ///< the cell's own unknowns, if its formulation has any
   double theta;           ///< uniform temperature in K where theta is no field
   bool has_temperature;
+  Solved solved = Solved::all;
+  const CellHistory* history = nullptr; ///< where structural heat is wanted
+
+  bool solves_deformation() const { return solved != Solved::temperature; }
+  bool solves_temperature() const { return has_temperature && solved != Solved::deformation; }
 };
 
 /// What a formulation computes for one cell; sized and zeroed by reset().

@@ -1,112 +1,12 @@
 #pragma once
 
-#include <thelma/elements/contractions.h>
-#include <thelma/elements/formulation.h>
+#include <thelma/elements/parts.h>
+#include <thelma/elements/structural_heat.h>
 
 #include <algorithm>
 
 namespace thelma
 {
-
-/// What the nodal values @p x of a cell give at one point: the state of plane strain (dim = 2:
-/// F_22 = 1, no field or flux out of plane) or of space.
-template <int dim>
-PointInput point_input(const CellView<dim>& view, const NodalValues<dim>& x,
-                       const Gradients<dim>& gradients)
-{
-  PointInput input;
-  for (unsigned int i = 0; i < 3; ++i)
-    input.state.F[i][i] = 1.;
-  const unsigned int last = x.n_components - 1;
-  input.state.theta = view.has_temperature ? x.value(last, gradients) : view.theta;
-  for (int J = 0; J < dim; ++J) {
-    for (int i = 0; i < dim; ++i)
-      input.state.F[axis<dim>(i)][axis<dim>(J)] += x.gradient(i, J, gradients);
-    if (view.cell.has_potential)
-      input.state.E[axis<dim>(J)] = -x.gradient(dim, J, gradients);
-    if (view.has_temperature)
-      input.grad_theta[axis<dim>(J)] = x.gradient(last, J, gradients);
-  }
-  return input;
-}
-
-/// The state at one point of a cell, for whatever looks at points without assembling.
-template <int dim>
-PointState<> point_state(const CellView<dim>& view, const Gradients<dim>& gradients)
-{
-  const NodalValues<dim> x(view.x, gradients.n_nodes, view.cell.n_components);
-  return point_input(view, x, gradients).state;
-}
-
-/// Everything the formulations need to know of the points of one rule in a cell.
-template <int dim>
-struct CellPoints {
-  CellPoints(const Integration<dim>& rule, const CellView<dim>& view)
-      : CellPoints(rule, view, [](unsigned int, Gradients<dim>&) {})
-  {
-  }
-
-  /// @p enhance(q, gradients) sets the gradients of modes that are no shape functions.
-  template <typename Enhance>
-  CellPoints(const Integration<dim>& rule, const CellView<dim>& view, const Enhance& enhance)
-      : n_points(rule.basis().n_points), geometry(rule.of_cell(view.index))
-  {
-    const NodalValues<dim> x(view.x, rule.basis().n_nodes, view.cell.n_components);
-    for (unsigned int q = 0; q < n_points; ++q) {
-      gradients[q] = Gradients<dim>(rule.basis(), q, geometry[q]);
-      enhance(q, gradients[q]);
-      input[q] = point_input(view, x, gradients[q]);
-      kinematics[q] = Kinematics<>(input[q].state.F);
-      min_det_F = std::min(min_det_F, kinematics[q].J);
-    }
-  }
-
-  static constexpr unsigned int max = Basis<dim>::max_points;
-  unsigned int n_points;
-  const PointGeometry<dim>* geometry;
-  std::array<Gradients<dim>, max> gradients;
-  std::array<PointInput, max> input;
-  std::array<Kinematics<>, max> kinematics;
-  double min_det_F = std::numeric_limits<double>::max();
-};
-
-/// The integral over one cell of @p density(material, point state).
-template <int dim, typename Density>
-Energies integral(const CellPoints<dim>& points, const CellView<dim>& view, const Density& density)
-{
-  Energies sum;
-  for (unsigned int q = 0; q < points.n_points; ++q) {
-    const Energies one = density(*view.cell.material, points.input[q].state);
-    sum.elastic += points.geometry[q].JxW * one.elastic;
-    sum.electric += points.geometry[q].JxW * one.electric;
-  }
-  return sum;
-}
-
-/// Everything the material has.
-struct WholeEnergy {
-  static constexpr bool conducts = true;
-
-  template <typename Derivatives>
-  void add(const Material& material, const PointState<>& state, const Kinematics<>& kin,
-           unsigned int, Derivatives& d) const
-  {
-    material.evaluate(state, d);
-    add_volumetric(kin, material.thermal.volumetric(kin.J, state.theta), d);
-  }
-};
-
-/// Everything but the volumetric energy.
-struct WithoutVolumetric {
-  static constexpr bool conducts = true;
-
-  template <typename Derivatives>
-  void add(const Material& material, const PointState<>& state, const Kinematics<>&, unsigned int,
-           Derivatives& d) const
-  {
-    material.evaluate(state, d);
-  }
-};
 
 /// Add the integral of @p part over one cell to its residual or tangent.
 template <typename Fields, typename Part>
@@ -121,24 +21,31 @@ void integrate_fields(const CellPoints<Fields::dim>& points, const CellView<Fiel
     systems[q].clear();
     if constexpr (Part::conducts && Fields::has_temperature)
       add_heat_flux(material.thermal.heat_flux(kin, input.grad_theta), systems[q]);
-    if (with_tangent) {
-      SecondDerivatives<> d{};
-      part.add(material, input.state, kin, q, d);
-      add_moduli(d, systems[q]);
-    } else {
-      FirstDerivatives<> d{};
-      part.add(material, input.state, kin, q, d);
-      add_fluxes(d, systems[q]);
+    if constexpr (Fields::has_deformation) {
+      if (with_tangent) {
+        SecondDerivatives<> d{};
+        part.add(material, input.state, kin, q, d);
+        add_moduli(d, systems[q]);
+      } else {
+        FirstDerivatives<> d{};
+        part.add(material, input.state, kin, q, d);
+        add_fluxes(d, systems[q]);
+      }
     }
     systems[q].scale(points.geometry[q].JxW, with_tangent);
   }
+  const unsigned int n_c = view.cell.n_components;
+  const CellComponents components{Fields::has_deformation ? 0 : n_c - 1, n_c};
   if (with_tangent)
-    add_tangent(points.gradients.data(), systems.data(), points.n_points, result.tangent.data());
+    add_tangent(points.gradients.data(), systems.data(), points.n_points, components,
+                result.tangent.data());
   else
-    add_residual(points.gradients.data(), systems.data(), points.n_points, result.residual.data());
+    add_residual(points.gradients.data(), systems.data(), points.n_points, components,
+                 result.residual.data());
 }
 
-/// integrate_fields() for whatever fields the cell has; nothing where det F is not positive.
+/// integrate_fields() for whatever fields are solved for, and the structural heat; nothing where
+/// det F is not positive.
 template <typename Part, int dim>
 void integrate(const CellPoints<dim>& points, const CellView<dim>& view, const Part& part,
                const bool with_tangent, CellResult& result)
@@ -146,8 +53,14 @@ void integrate(const CellPoints<dim>& points, const CellView<dim>& view, const P
   result.min_det_F = std::min(result.min_det_F, points.min_det_F);
   if (!(points.min_det_F > 0.))
     return;
-  const bool potential = view.cell.has_potential, temperature = view.has_temperature;
-  if (potential && temperature)
+  const bool potential = view.cell.has_potential, temperature = view.solves_temperature();
+  if constexpr (Part::conducts)
+    if (temperature && view.history)
+      add_structural_heat(points, view, part, with_tangent, result);
+  if (!view.solves_deformation()) {
+    if constexpr (Part::conducts)
+      integrate_fields<TemperatureOnly<dim>>(points, view, part, with_tangent, result);
+  } else if (potential && temperature)
     integrate_fields<Components<dim, true, true>>(points, view, part, with_tangent, result);
   else if (potential)
     integrate_fields<Components<dim, true, false>>(points, view, part, with_tangent, result);

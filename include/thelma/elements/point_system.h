@@ -10,10 +10,19 @@ namespace thelma
 template <int dimension, bool with_potential, bool with_temperature>
 struct Components {
   static constexpr int dim = dimension;
-  static constexpr bool has_potential = with_potential, has_temperature = with_temperature;
+  static constexpr bool has_deformation = true, has_potential = with_potential,
+                        has_temperature = with_temperature;
   static constexpr int potential = dim;
   static constexpr int temperature = dim + (with_potential ? 1 : 0);
   static constexpr int n = temperature + (with_temperature ? 1 : 0);
+};
+
+/// The temperature alone, the last component of its cell.
+template <int dimension>
+struct TemperatureOnly {
+  static constexpr int dim = dimension;
+  static constexpr bool has_deformation = false, has_potential = false, has_temperature = true;
+  static constexpr int temperature = 0, n = 1;
 };
 
 /// The point physics seen by one cell: its n_c components (u_1 .. u_dim, phi, theta) have fluxes
@@ -104,8 +113,9 @@ void add_heat_flux(const HeatFlux& heat, PointSystem<Fields>& system)
     for (int L = 0; L < dim; ++L) {
       const int xL = axis<dim>(L);
       system.M[theta][J][L][theta] -= heat.dQ_dgrad[xJ][xL];
-      for (int k = 0; k < dim; ++k)
-        system.M[theta][J][L][k] -= heat.dQ_dF[xJ][axis<dim>(k)][xL];
+      if constexpr (Fields::has_deformation)
+        for (int k = 0; k < dim; ++k)
+          system.M[theta][J][L][k] -= heat.dQ_dF[xJ][axis<dim>(k)][xL];
     }
   }
 }

@@ -19,7 +19,8 @@ using Modes = std::array<double, 8>;
 /// volumetric energy never meets a displacement that is not yet in balance (eq. 22).
 ///
 /// Internal unknowns: p, then t. What elimination keeps of a tangent: S = M H M, then B, the
-/// derivative of R_p by each displacement component and, last, of R_t by the temperature.
+/// derivative of R_p by each displacement component; with a temperature field also of R_t by the
+/// temperature and of the heat balance by t.
 template <int dim>
 class PressureDilatation : public Formulation<dim>
 {
@@ -64,6 +65,10 @@ private:
                         CellResult& result) const;
   void add_condensed(const CellView<dim>& view, const CellPoints<dim>& points, const Local& local,
                      CellResult& result) const;
+  void add_heat(const CellView<dim>& view, const CellPoints<dim>& points, bool with_tangent,
+                CellResult& result) const;
+  void add_product(const double* A, const ModeMatrix& S, const double* B, const CellView<dim>& view,
+                   int c, int d, bool mirrored, CellResult& result) const;
   void add_rows(const Modes& m, double w, const double* g, double* rows) const;
   Modes times(const ModeMatrix& A, const Modes& x) const;
   ModeMatrix invert_mass(const PointGeometry<dim>* geometry) const;

@@ -6,6 +6,7 @@
 #include <deal.II/base/index_set.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/mapping_q.h>
 #include <deal.II/hp/fe_collection.h>
 #include <deal.II/lac/la_parallel_block_vector.h>
 
@@ -20,6 +21,10 @@ namespace thelma
 using BlockVector = dealii::LinearAlgebra::distributed::BlockVector<double>;
 
 enum class Field { displacement, potential, temperature };
+
+/// Which of them a system solves for; the others are given. Displacement and potential together are
+/// the deformation.
+enum class Solved { all, deformation, temperature };
 
 /// "displacement u", "potential phi", "temperature theta".
 std::string field_name(Field field);
@@ -49,6 +54,9 @@ public:
 
   bool has(Field field) const;
 
+  /// Whether the temperature field changes in time.
+  bool is_transient() const { return temperature_model == "transient"; }
+
   /// Fields in the order of their blocks and components.
   const std::vector<Field>& fields() const { return present; }
   unsigned int block(Field field) const;
@@ -61,6 +69,9 @@ public:
   const std::vector<Cell<dim>>& cells() const { return own_cells; }
   const dealii::FE_Q<dim>& scalar_element() const { return *scalar; }
   unsigned int degree() const { return polynomial_degree; }
+
+  /// From the reference cell to the undeformed body.
+  const dealii::Mapping<dim>& mapping() const { return *cell_mapping; }
   MPI_Comm communicator() const { return dofs.get_communicator(); }
 
   /// One index set per block.
@@ -111,6 +122,7 @@ private:
 
   std::vector<Field> present;
   std::unique_ptr<dealii::FE_Q<dim>> scalar;
+  std::unique_ptr<dealii::MappingQ<dim>> cell_mapping;
   dealii::hp::FECollection<dim> elements; ///< 0: every field; 1: no potential
   dealii::DoFHandler<dim> dofs;
   std::vector<std::vector<int>> position; ///< [fe_index][a * n_components + c], -1 if absent

@@ -1,11 +1,19 @@
 #pragma once
 
 #include <thelma/fields/layout.h>
+#include <thelma/fields/rates.h>
 
+#include <optional>
 #include <vector>
 
 namespace thelma
 {
+
+/// What enters a body through its walls and from its sources.
+struct HeatInflow {
+  double heat = 0.;    ///< mW
+  double entropy = 0.; ///< the same over the temperature where it enters, mW/K
+};
 
 /// The iterate, the load it belongs to, and the accepted states behind it.
 class State
@@ -46,7 +54,13 @@ public:
   BlockVector x;                ///< values of all fields, with ghosts
   std::vector<double> internal; ///< unknowns inside the own cells, such as element pressures
   double voltage = 0.;          ///< kV
+  double charge = 0.;           ///< applied to floating electrodes, uC
   double theta = 0.;            ///< uniform temperature in K
+  double time = 0.;             ///< s; in transient scenes also the load
+  HeatInflow inflow;            ///< into the accepted state
+
+  /// How rates follow from the iterate and the accepted states; none in a steady state.
+  std::optional<Rates> rates;
 
 private:
   static constexpr std::size_t memory = 4;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <thelma/materials/entropy_rate.h>
 #include <thelma/materials/point.h>
 #include <thelma/materials/thermal.h>
 
@@ -8,11 +9,29 @@
 namespace thelma
 {
 
-/// Energies per reference volume in mJ/mm^3 = MPa.
+/// Energies per reference volume in mJ/mm^3 = MPa. Inner energy is the sum of elastic, electric and
+/// thermal and c (theta - theta_0); entropy that of the part here and c ln(theta/theta_0).
 struct Energies {
   double elastic = 0.;  ///< (theta/theta_0) W, and what the volumetric energy adds to it
   double electric = 0.; ///< stored field energy, D.E/2 for a linear dielectric
+  double thermal = 0.;  ///< psi_t + theta eta without the part of the heat capacity
+  double entropy = 0.;  ///< eta without the part of the heat capacity, MPa/K
+
+  /// Add @p w times @p other.
+  void add(const double w, const Energies& other)
+  {
+    elastic += w * other.elastic;
+    electric += w * other.electric;
+    thermal += w * other.thermal;
+    entropy += w * other.entropy;
+  }
 };
+
+/// What the volumetric energy adds to them.
+inline Energies energies(const Volumetric<>& v, const double theta)
+{
+  return {v.psi, 0., theta * v.eta, v.eta};
+}
 
 /// What the rest of the program knows of a material. Energies and derivatives leave the volumetric
 /// energy out; the element formulation adds it by its own rule.
@@ -27,6 +46,10 @@ public:
   virtual Energies energies(const PointState<>& state) const = 0;
   virtual void evaluate(const PointState<>& state, FirstDerivatives<>& out) const = 0;
   virtual void evaluate(const PointState<>& state, SecondDerivatives<>& out) const = 0;
+
+  /// Add to @p out what the material without its volumetric energy has of it.
+  virtual void add_entropy_rate(const PointState<>& state, const PointRates& rates,
+                                EntropyRate& out) const = 0;
 
   /// Shear modulus (MPa) and permittivity (N/kV^2) of the undeformed material.
   virtual double shear_modulus(double theta) const = 0;
@@ -101,7 +124,10 @@ public:
   {
     const Kinematics<> kin(state.F);
     const Split<double> em(*this, state, kin);
-    return {state.theta / thermal.theta_0 * em.d.W, -dielectric.psi(state, kin)};
+    const double theta = state.theta;
+    const double entropy = thermal.coupling_entropy(theta, first_derivatives(state).eta);
+    return {theta / thermal.theta_0 * em.d.W, -dielectric.psi(state, kin),
+            thermal.coupling_psi(theta) + theta * entropy, entropy};
   }
 
   void evaluate(const PointState<>& state, FirstDerivatives<>& out) const override
@@ -112,6 +138,12 @@ public:
   void evaluate(const PointState<>& state, SecondDerivatives<>& out) const override
   {
     out = second_derivatives(state);
+  }
+
+  void add_entropy_rate(const PointState<>& state, const PointRates& rates,
+                        EntropyRate& out) const override
+  {
+    thelma::add_entropy_rate(second_derivatives(along(state, rates)), rates, out);
   }
 
   double shear_modulus(const double theta) const override { return elastic.shear_modulus(theta); }
@@ -163,6 +195,18 @@ void add_volumetric(const Kinematics<Number>& kin, const Volumetric<Number>& v,
           out.dP_dF[i][J][k][L] += slope * G[i][J] * G[k][L] - pJ * G[i][L] * G[k][J];
   out.dP_dtheta += v.dp_dtheta * kin.J * G;
   out.deta_dtheta += v.deta_dtheta;
+}
+
+/// The entropy rate of the volumetric energy when its J is det F.
+inline void add_volumetric_entropy_rate(const Thermal& thermal, const PointState<>& state,
+                                        const PointRates& rates, EntropyRate& out)
+{
+  const PointState<Directional> moving = along(state, rates);
+  const Kinematics<Directional> kin(moving.F);
+  SecondDerivatives<Directional> d{};
+  d.dP_dtheta = thermal.volumetric(kin.J, moving.theta).dp_dtheta * kin.J * kin.G;
+  d.deta_dtheta = thermal.volumetric(kin.J, moving.theta).deta_dtheta;
+  add_entropy_rate(d, rates, out);
 }
 
 } // namespace thelma

@@ -61,6 +61,21 @@ struct ElasticDerivatives {
   Tensor3<2, Number> W_F, W_Ftheta;
 };
 
+/// Rate of entropy h = deta/dF : F_dot + deta/dE . E_dot that deformation and field cause, so that
+/// the structural heat is H = -theta h (theory.md, eq. 31), and its derivatives.
+struct EntropyRate {
+  double h = 0.;            ///< MPa/(K s)
+  Tensor3<2> d_dF, d_dFdot; ///< each at a fixed value of the other
+  Tensor3<1> d_dE, d_dEdot;
+  double d_dtheta = 0.;
+};
+
+/// F_dot in 1/s and E_dot in kV/(mm s).
+struct PointRates {
+  Tensor3<2> F;
+  Tensor3<1> E;
+};
+
 /// Fourier's law: nominal heat flux Q in N/(mm s) and its derivatives.
 struct HeatFlux {
   Tensor3<1> Q;

@@ -66,6 +66,17 @@ public:
     return c / theta + 9. * alpha * alpha * K * (2. - 4. * y + y * y) * exp(-y);
   }
 
+  /// Without their parts of the heat capacity c, which is taken at the nodes: psi_t, and the whole
+  /// entropy @p eta.
+  double coupling_psi(const double theta) const
+  {
+    return psi(theta) - c * (theta - theta_0 - theta * std::log(theta / theta_0));
+  }
+  double coupling_entropy(const double theta, const double eta) const
+  {
+    return eta - c * std::log(theta / theta_0);
+  }
+
   /// Q = -k J C^{-1} Grad theta: isotropic conduction in the deformed body.
   HeatFlux heat_flux(const Kinematics<>& kin, const Tensor3<1>& grad_theta) const;
 

@@ -40,6 +40,9 @@ public:
 
   void read(const std::string& folder);
 
+  /// Whether the edges of cells are arcs, so that quadratic elements need a quadratic geometry.
+  bool is_curved() const { return curved != "nowhere"; }
+
   const dealii::parallel::shared::Triangulation<dim>& triangulation() const { return tria; }
 
   const std::string& region_of(const CellIterator& cell) const
@@ -60,7 +63,7 @@ private:
                          const std::vector<dealii::CellData<dim>>& cells) const;
   void find_entities(const CoarseMesh& coarse);
 
-  std::string file;
+  std::string file, curved = "nowhere";
   std::map<std::string, double> parameters;
   unsigned int refinements = 0;
   double imperfection = 0.; ///< mm

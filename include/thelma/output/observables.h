@@ -18,6 +18,7 @@ struct Scene {
   const Mesh<dim>& mesh;
   const FieldLayout<dim>& layout;
   const BoundaryConditions<dim>& conditions;
+  const NodalHeat<dim>& heat;
   const System<dim>& system;
   const State& state;
 };
@@ -49,6 +50,8 @@ const NamedList<Observable<dim>>& observables();
 template <int dim>
 std::unique_ptr<Observable<dim>> make_charge();
 template <int dim>
+std::unique_ptr<Observable<dim>> make_electrodes();
+template <int dim>
 std::unique_ptr<Observable<dim>> make_energy();
 template <int dim>
 std::unique_ptr<Observable<dim>> make_rotation(const std::string& name);
@@ -64,5 +67,11 @@ template <int dim>
 std::unique_ptr<Observable<dim>> make_det_F();
 template <int dim>
 std::unique_ptr<Observable<dim>> make_breakdown();
+template <int dim>
+std::unique_ptr<Observable<dim>> make_ledger();
+template <int dim>
+std::unique_ptr<Observable<dim>> make_probe();
+template <int dim>
+std::unique_ptr<Observable<dim>> make_temperature_range();
 
 } // namespace thelma

@@ -70,6 +70,9 @@ public:
   void finish(const Scene<dim>& scene, Outcome& outcome);
 
 private:
+  /// Where the fields of the state stand in the .pvd: time or load.
+  static double abscissa(const Scene<dim>& scene, double load);
+
   void print_step(const Scene<dim>& scene, const PathPoint& point, const NewtonReport& report);
 
   MPI_Comm comm;

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <thelma/elements/cell_points.h>
+
+#include <cmath>
+
+/// Heat that deformation and field make: theta h N_a in the heat balance, with the rate of entropy
+/// h of theory.md, eqs. 31 and 34. The capacity is elsewhere (NodalHeat).
+namespace thelma
+{
+
+/// h at one point; @p past(k) is the state there k + 1 accepted states ago.
+template <typename Part, typename Past>
+EntropyRate entropy_rate(const Part& part, const Material& material, const PointState<>& state,
+                         const Past& past, const unsigned int q, const Rates& rates)
+{
+  EntropyRate out;
+  if (rates.heat == StructuralHeat::power) {
+    PointRates motion;
+    for (unsigned int i = 0; i < 3; ++i) {
+      for (unsigned int J = 0; J < 3; ++J)
+        motion.F[i][J] =
+            rates.of(state.F[i][J], [&](const std::size_t k) { return past(k).F[i][J]; });
+      motion.E[i] = rates.of(state.E[i], [&](const std::size_t k) { return past(k).E[i]; });
+    }
+    part.add_entropy_rate(material, state, motion, out);
+    return out;
+  }
+  const auto eta = [&](const PointState<>& s) {
+    FirstDerivatives<> d{};
+    part.add(material, s, Kinematics<>(s.F), q, d);
+    return material.thermal.coupling_entropy(s.theta, d.eta);
+  };
+  out.h = rates.of(eta(state), [&](const std::size_t k) { return eta(past(k)); });
+  SecondDerivatives<> d{};
+  part.add(material, state, Kinematics<>(state.F), q, d);
+  out.d_dFdot = -1. * d.dP_dtheta;
+  out.d_dEdot = d.dD_dtheta;
+  out.d_dtheta =
+      rates.weights[0] * (d.deta_dtheta - (Part::conducts ? material.thermal.c / state.theta : 0.));
+  return out;
+}
+
+/// Add theta h N_a, or its derivatives, integrated over the cell.
+template <int dim, typename Part>
+void add_structural_heat(const CellPoints<dim>& points, const CellView<dim>& view, const Part& part,
+                         const bool with_tangent, CellResult& result)
+{
+  constexpr unsigned int length = Gradients<dim>::length;
+  const Rates& rates = view.history->rates;
+  const unsigned int n_nodes = points.gradients[0].n_nodes, stride = points.gradients[0].stride;
+  const int n_c = view.cell.n_components, heat = n_c - 1;
+  std::array<NodalValues<dim>, 2> past{
+      {{view.history->x[0], n_nodes, view.cell.n_components},
+       {view.history->x[rates.n_past - 1], n_nodes, view.cell.n_components}}};
+
+  alignas(32) std::array<std::array<double, CellPoints<dim>::max * length>, dim + 2> T;
+  std::array<const double*, CellPoints<dim>::max> N;
+  for (unsigned int q = 0; q < points.n_points; ++q) {
+    const PointState<>& state = points.input[q].state;
+    const Gradients<dim>& gradients = points.gradients[q];
+    const double w = points.geometry[q].JxW, theta = state.theta;
+    std::array<PointState<>, 2> before;
+    for (std::size_t k = 0; k < rates.n_past; ++k)
+      before[k] = point_input(view, past[k], gradients).state;
+    const EntropyRate rate = entropy_rate(
+        part, *view.cell.material, state,
+        [&](const std::size_t k) -> const PointState<>& { return before[k]; }, q, rates);
+    N[q] = gradients.N;
+    if (!with_tangent) {
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        result.residual[a * n_c + heat] += w * theta * rate.h * gradients.N[a];
+      continue;
+    }
+    const Tensor3<2> d_dF = w * theta * (rate.d_dF + rates.weights[0] * rate.d_dFdot);
+    const Tensor3<1> d_dE = w * theta * (rate.d_dE + rates.weights[0] * rate.d_dEdot);
+    for (unsigned int b = 0; b < stride; ++b) {
+      for (int c = 0; c < heat; ++c) {
+        double sum = 0.;
+        for (int L = 0; L < dim; ++L)
+          sum += (c < dim ? d_dF[axis<dim>(c)][axis<dim>(L)] : -d_dE[axis<dim>(L)]) *
+                 gradients.g[L][b];
+        T[c][q * stride + b] = sum;
+      }
+      T[heat][q * stride + b] = w * (rate.h + theta * rate.d_dtheta) * gradients.N[b];
+    }
+  }
+  if (!with_tangent)
+    return;
+  alignas(32) std::array<double, length * length> C;
+  for (int c = view.solves_deformation() ? 0 : heat; c < n_c; ++c) {
+    multiply(stride, points.n_points, N.data(), T[c].data(), n_nodes, C.data());
+    add_block(C.data(), n_nodes, n_c, heat, c, false, result.tangent.data());
+  }
+}
+
+/// Rate of entropy of the volumetric energy of a dilatation t, and its derivatives.
+struct VolumetricEntropyRate {
+  VolumetricEntropyRate(const Thermal& thermal, const Rates& rates, const double t,
+                        const double theta, const std::array<double, 2>& t_past,
+                        const std::array<double, 2>& theta_past)
+  {
+    if (rates.heat == StructuralHeat::power) {
+      const double t_dot = rates.of(t, [&](const std::size_t k) { return t_past[k]; });
+      const Volumetric<Directional> v = thermal.volumetric(moving(t, t_dot), moving(theta, 0.));
+      h = -v.dp_dtheta.val() * t_dot;
+      d_dt = -v.dp_dtheta.dx(0) - rates.weights[0] * v.dp_dtheta.val();
+      d_dtheta = v.deta_dtheta.dx(0);
+    } else {
+      const Volumetric<> v = thermal.volumetric(t, theta);
+      h = rates.of(v.eta, [&](const std::size_t k) {
+        return thermal.volumetric(t_past[k], theta_past[k]).eta;
+      });
+      d_dt = -rates.weights[0] * v.dp_dtheta;
+      d_dtheta = rates.weights[0] * v.deta_dtheta;
+    }
+  }
+
+  double h, d_dt, d_dtheta;
+};
+
+} // namespace thelma

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace thelma
+{
+
+/// Chooses times between 0 and the end so that the error of each step stays below a tolerance.
+class TimeStepper
+{
+public:
+  void declare(dealii::ParameterHandler& prm);
+
+  /// Begin at time 0; the steps meet each of the times @p kinks.
+  void start(const std::vector<double>& kinks);
+
+  /// Order of the differences: 1 (backward Euler) or 2.
+  unsigned int order() const { return scheme == "BDF2" ? 2 : 1; }
+
+  /// Next time to try, in s.
+  double next();
+
+  /// Whether the @p error of the temperature (K) of the last step is small enough; if not, the
+  /// step is cut and to be taken again. @p used: the order the error belongs to, 0 for an unknown
+  /// error.
+  bool accept(double error, unsigned int used);
+
+  /// After a step that failed.
+  void cut_back();
+
+  bool finished() const { return time >= end; }
+  bool exhausted() const { return size < 1e-9 * end; }
+  double accepted() const { return time; }
+  double step() const { return size; }
+  double final_time() const { return end; }
+
+private:
+  double end = 1., initial = 0.01, largest = 1e300, tolerance = 0.1;
+  std::string scheme = "BDF2";
+
+  double time = 0., trial = 0., size = 0.;
+  std::vector<double> stops;
+};
+
+/// Error of a step of backward differences of @p order as a part of the distance between its result
+/// and the polynomial of the same order through the accepted states, given their @p times, newest
+/// last (theory.md, eq. 35).
+double error_share(double time, const std::vector<double>& times, unsigned int order);
+
+} // namespace thelma

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <thelma/assembly/amplitude.h>
+#include <thelma/assembly/predictor.h>
+#include <thelma/assembly/system.h>
+#include <thelma/solvers/time_stepper.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace thelma
+{
+
+/// The temperature in time, with the deformation or before it (theory.md, "Time").
+template <int dim>
+class Transient
+{
+public:
+  using Solve = std::function<NewtonReport()>;
+
+  Transient(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
+            NodalHeat<dim>& heat, State& state, Timings& timings)
+      : layout(layout), conditions(conditions), heat(heat), state(state),
+        system(layout, conditions, heat, state, timings)
+  {
+  }
+
+  void declare(dealii::ParameterHandler& prm);
+
+  /// @p deformation solves for displacement and potential at given temperatures. @p voltage (kV)
+  /// and the wall temperatures are multiplied by their amplitudes, @p theta in K is uniform at
+  /// time 0.
+  void setup(const System<dim>& deformation, double voltage, double theta);
+
+  /// Begin at time 0 with the iterate.
+  void start();
+
+  bool finished() const { return stepper.finished(); }
+  bool exhausted() const { return stepper.exhausted(); }
+
+  /// Try the next step; @p solve_deformation finds a stable state at given temperatures.
+  NewtonReport step(Predictor<dim>& predictor, const Newton& newton,
+                    const Solve& solve_deformation);
+
+  /// Accept the step, unless its error is too large; then the last state is back.
+  bool accept();
+
+  /// Return to the last accepted state and shorten the step.
+  void cut_back();
+
+  bool is_monolithic() const { return coupling == "monolithic"; }
+  System<dim>& heated_system() { return system; }
+  double initial_voltage() const { return voltage_at(0.); }
+  double step_size() const { return stepper.step(); }
+  double final_time() const { return stepper.final_time(); }
+
+  /// How time is treated, and which coupling is cheaper, and why.
+  std::vector<std::string> summary() const;
+
+private:
+  void prescribe(double time);
+  double voltage_at(double time) const { return voltage * (*voltage_amplitude)(time); }
+  std::vector<double> times() const;
+  double error(unsigned int order) const;
+
+  const FieldLayout<dim>& layout;
+  const BoundaryConditions<dim>& conditions;
+  NodalHeat<dim>& heat;
+  State& state;
+  System<dim> system; ///< of the temperature, or of everything
+  TimeStepper stepper;
+
+  std::string coupling = "staggered", structural_heat = "none";
+  std::string voltage_text = "1", wall_text = "1", power_text = "1";
+  std::optional<Amplitude> voltage_amplitude, wall_amplitude, power_amplitude;
+  double voltage = 0., theta = 0.; ///< kV, K
+};
+
+} // namespace thelma

@@ -1,0 +1,250 @@
+#include <thelma/assembly/nodal_heat.h>
+#include <thelma/base/parameters.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace thelma
+{
+
+template <int dim>
+void NodalHeat<dim>::declare(dealii::ParameterHandler& prm)
+{
+  using namespace dealii::Patterns;
+  const Section section(prm, {"Heat"});
+  const Map per_surface(Anything(), Double(), 0, 100);
+  prm.add_parameter("Flux", fluxes,
+                    "Heat flux into the body through surfaces, mW per mm^2 of the undeformed "
+                    "surface, as `outer: 0.5`.",
+                    per_surface);
+  prm.add_parameter("Convection", convections,
+                    "Coefficient h of the heat loss h (theta - theta_inf) of surfaces, "
+                    "mW/(mm^2 K) = 1000 W/(m^2 K), as `outer: 0.02`.",
+                    per_surface);
+  prm.add_parameter("Surroundings", surroundings,
+                    "Temperature theta_inf in K around the surfaces with convection.", per_surface);
+  prm.add_parameter("Source", sources, "Heat source R of regions in mW/mm^3.", per_surface);
+}
+
+template <int dim>
+void NodalHeat<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
+                           const BoundaryConditions<dim>& conditions)
+{
+  exists = layout.has(Field::temperature);
+  if (!exists) {
+    if (!fluxes.empty() || !convections.empty() || !sources.empty())
+      throw InputError("section Heat: there is no temperature field that heat could change; choose "
+                       "Model = steady or transient in the section Temperature");
+    return;
+  }
+  if (!layout.is_transient() && conditions.heated().empty() && convections.empty())
+    throw InputError("section Temperature, entry 'Fixed': a steady temperature field needs a "
+                     "surface of known temperature or with convection");
+  block = layout.block(Field::temperature);
+  for (BlockVector* v : {&capacities, &powers, &conductances, &ambient})
+    *v = layout.new_vector();
+  collect_capacity(layout);
+  collect_sources(mesh, layout);
+  std::set<std::string> names;
+  for (const auto* entries : {&fluxes, &convections, &surroundings})
+    for (const auto& entry : *entries)
+      names.insert(entry.first);
+  for (const std::string& name : names)
+    collect_surface(mesh, layout, name, properties(name));
+  for (BlockVector* v : {&capacities, &powers, &conductances, &ambient})
+    v->compress(dealii::VectorOperation::add);
+}
+
+template <int dim>
+typename NodalHeat<dim>::Surface NodalHeat<dim>::properties(const std::string& name) const
+{
+  if ((convections.count(name) == 0) != (surroundings.count(name) == 0))
+    throw InputError("section Heat: surface '" + name +
+                     "' needs both, its coefficient in 'Convection' and the temperature in "
+                     "'Surroundings'");
+  const auto value = [&](const std::map<std::string, double>& entries) {
+    const auto found = entries.find(name);
+    return found == entries.end() ? 0. : found->second;
+  };
+  return {value(fluxes), value(convections), value(surroundings)};
+}
+
+template <int dim>
+void NodalHeat<dim>::collect_capacity(const FieldLayout<dim>& layout)
+{
+  dealii::FEValues<dim> values(layout.mapping(), layout.scalar_element(),
+                               dealii::QGaussLobatto<dim>(layout.degree() + 1),
+                               dealii::update_values | dealii::update_JxW_values);
+  for (const Cell<dim>& cell : layout.cells()) {
+    values.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell.iterator));
+    for (unsigned int a = 0; a < values.dofs_per_cell; ++a)
+      for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+        capacities(cell.dofs[(a + 1) * cell.n_components - 1]) +=
+            cell.material->thermal.c * values.JxW(q) * values.shape_value(a, q);
+  }
+}
+
+template <int dim>
+void NodalHeat<dim>::collect_sources(const Mesh<dim>& mesh, const FieldLayout<dim>& layout)
+{
+  const std::string place = "section Heat, entry 'Source'";
+  const auto& regions = mesh.regions();
+  for (const auto& entry : sources)
+    if (std::find(regions.begin(), regions.end(), entry.first) == regions.end())
+      throw InputError(place + ": the mesh has no region '" + entry.first +
+                       "'; known: " + comma_separated(regions));
+  dealii::FEValues<dim> values(layout.mapping(), layout.scalar_element(),
+                               dealii::QGaussLobatto<dim>(layout.degree() + 1),
+                               dealii::update_values | dealii::update_JxW_values);
+  for (const Cell<dim>& cell : layout.cells()) {
+    const auto found = sources.find(mesh.region_of(cell.iterator));
+    if (found == sources.end())
+      continue;
+    values.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell.iterator));
+    for (unsigned int a = 0; a < values.dofs_per_cell; ++a)
+      for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+        powers(cell.dofs[(a + 1) * cell.n_components - 1]) +=
+            found->second * values.JxW(q) * values.shape_value(a, q);
+  }
+}
+
+template <int dim>
+void NodalHeat<dim>::collect_surface(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
+                                     const std::string& name, const Surface& surface)
+{
+  const unsigned int component = layout.first_component(Field::temperature);
+  dealii::FEFaceValues<dim> values(layout.mapping(), layout.scalar_element(),
+                                   dealii::QGaussLobatto<dim - 1>(layout.degree() + 1),
+                                   dealii::update_values | dealii::update_JxW_values);
+  std::vector<dealii::types::global_dof_index> indices;
+  bool outer = false;
+  for (const auto& [entity, vertices] : mesh.surface(name, "section Heat"))
+    for (unsigned int f = 0; f < dealii::GeometryInfo<dim>::faces_per_cell; ++f) {
+      if (face_vertices<dim>(f) != vertices || !entity->face(f)->at_boundary())
+        continue;
+      outer = true;
+      if (!entity->is_locally_owned())
+        continue;
+      const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
+          &mesh.triangulation(), entity->level(), entity->index(), &layout.dof_handler());
+      layout.unknowns(cell, indices);
+      values.reinit(entity, f);
+      for (unsigned int a = 0; a < values.dofs_per_cell; ++a) {
+        double area = 0.;
+        for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+          area += values.JxW(q) * values.shape_value(a, q);
+        const auto unknown = indices[*layout.local_dof(cell->active_fe_index(), a, component)];
+        if (std::abs(area) > 0.) {
+          powers(unknown) += area * surface.flux;
+          conductances(unknown) += area * surface.convection;
+          ambient(unknown) += area * surface.convection * surface.ambient;
+        }
+      }
+    }
+  if (!outer)
+    throw InputError("section Heat: '" + name +
+                     "' is no outer surface of the body; heat can flow only through these");
+}
+
+template <int dim>
+void NodalHeat<dim>::apply(const double theta_start, const double part, const double multiple)
+{
+  start = theta_start;
+  warming = part;
+  power = multiple;
+}
+
+template <int dim>
+void NodalHeat<dim>::add_residual(const State& state, BlockVector& residual) const
+{
+  if (!exists)
+    return;
+  const auto& theta = state.x.block(block);
+  const auto& C = capacities.block(block);
+  const auto& path = state.path();
+  auto& r = residual.block(block);
+  for (unsigned int i = 0; i < theta.locally_owned_size(); ++i) {
+    const double G = conductances.block(block).local_element(i);
+    r.local_element(i) += G * (theta.local_element(i) - (1. - warming) * start) -
+                          warming * ambient.block(block).local_element(i) -
+                          power * powers.block(block).local_element(i);
+    if (!state.rates)
+      continue;
+    const auto past = [&](const std::size_t k) {
+      return path[path.size() - 1 - k].x.block(block).local_element(i);
+    };
+    const double now = theta.local_element(i);
+    if (state.rates->heat == StructuralHeat::entropy)
+      r.local_element(i) +=
+          C.local_element(i) * now * state.rates->of(0., [&](const std::size_t k) {
+            return std::log1p((past(k) - now) / now);
+          });
+    else
+      r.local_element(i) += C.local_element(i) * state.rates->of(now, past);
+  }
+}
+
+template <int dim>
+void NodalHeat<dim>::add_tangent(const State& state, TangentMatrix<dim>& tangent) const
+{
+  if (!exists)
+    return;
+  const auto begin = capacities.get_block_indices().block_start(block);
+  const auto& theta = state.x.block(block);
+  const auto& path = state.path();
+  for (const auto i : theta.locally_owned_elements()) {
+    double slope = conductances.block(block)(i);
+    if (state.rates) {
+      double rate = state.rates->weights[0];
+      if (state.rates->heat == StructuralHeat::entropy)
+        rate += state.rates->of(0., [&](const std::size_t k) {
+          return std::log(path[path.size() - 1 - k].x.block(block)(i) / theta(i));
+        });
+      slope += rate * capacities.block(block)(i);
+    }
+    tangent.add_diagonal(begin + i, slope);
+  }
+}
+
+template <int dim>
+double NodalHeat<dim>::storage_scale(const State& state) const
+{
+  return state.rates ? state.rates->weights[0] * capacities.block(block).l2_norm() : 0.;
+}
+
+template <int dim>
+HeatInflow NodalHeat<dim>::inflow(const State& state) const
+{
+  const auto& theta = state.x.block(block);
+  std::vector<double> own{0., 0.}, sum(2);
+  for (const auto i : theta.locally_owned_elements()) {
+    const double heat = power * powers.block(block)(i) + warming * ambient.block(block)(i) -
+                        conductances.block(block)(i) * (theta(i) - (1. - warming) * start);
+    own[0] += heat;
+    own[1] += heat / theta(i);
+  }
+  dealii::Utilities::MPI::sum(own, theta.get_mpi_communicator(), sum);
+  return {sum[0], sum[1]};
+}
+
+template <int dim>
+Energies NodalHeat<dim>::stored(const State& state, const double theta_0) const
+{
+  Energies sum;
+  const auto& theta = state.x.block(block);
+  for (const auto i : theta.locally_owned_elements()) {
+    sum.thermal += capacities.block(block)(i) * (theta(i) - theta_0);
+    sum.entropy += capacities.block(block)(i) * std::log(theta(i) / theta_0);
+  }
+  return sum;
+}
+
+template class NodalHeat<2>;
+template class NodalHeat<3>;
+
+} // namespace thelma

@@ -1,0 +1,58 @@
+#include <thelma/elements/pressure_dilatation.h>
+
+namespace thelma
+{
+
+/// Add theta h of the volumetric energy, which sees the cell's own dilatation. In a linear system
+/// the dilatation answers to the displacements by M B.
+template <int dim>
+void PressureDilatation<dim>::add_heat(const CellView<dim>& view, const CellPoints<dim>& points,
+                                       const bool with_tangent, CellResult& result) const
+{
+  if (!view.solves_temperature() || !view.history)
+    return;
+  const unsigned int n_nodes = rule().basis().n_nodes;
+  const int n_c = view.cell.n_components, heat = n_c - 1;
+  const CellHistory& history = *view.history;
+  double* B = result.elimination.data() + n_modes * n_modes;
+  double* dh_dt = B + (dim + 1) * block_size();
+  for (unsigned int q = 0; q < points.n_points; ++q) {
+    const double* N = points.gradients[q].N;
+    const double w = points.geometry[q].JxW, theta = points.input[q].state.theta;
+    const auto dilatation = [&](const double* internal) {
+      double t = 0.;
+      for (unsigned int i = 0; i < n_modes; ++i)
+        t += modes[q][i] * internal[n_modes + i];
+      return t;
+    };
+    std::array<double, 2> t_past{}, theta_past{};
+    for (std::size_t k = 0; k < history.rates.n_past; ++k) {
+      t_past[k] = dilatation(history.internal[k]);
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        theta_past[k] += N[a] * history.x[k][a * n_c + heat];
+    }
+    const VolumetricEntropyRate rate(view.cell.material->thermal, history.rates,
+                                     dilatation(view.internal), theta, t_past, theta_past);
+    if (!with_tangent) {
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        result.residual[a * n_c + heat] += w * theta * rate.h * N[a];
+      continue;
+    }
+    add_rows(modes[q], w * theta * rate.d_dt, N, dh_dt);
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      for (unsigned int b = 0; b < n_nodes; ++b)
+        result.tangent[(a * n_c + heat) * n_nodes * n_c + b * n_c + heat] +=
+            w * (rate.h + theta * rate.d_dtheta) * N[a] * N[b];
+  }
+  if (with_tangent && view.solves_deformation())
+    for (int d = 0; d < dim; ++d)
+      add_product(dh_dt, mass_inverse[view.index], B + d * block_size(), view, heat, d, false,
+                  result);
+}
+
+template void PressureDilatation<2>::add_heat(const CellView<2>&, const CellPoints<2>&, bool,
+                                              CellResult&) const;
+template void PressureDilatation<3>::add_heat(const CellView<3>&, const CellPoints<3>&, bool,
+                                              CellResult&) const;
+
+} // namespace thelma

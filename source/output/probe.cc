@@ -1,0 +1,65 @@
+#include <thelma/fields/named_dofs.h>
+#include <thelma/output/observables.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace thelma
+{
+namespace
+{
+
+/// Mean potential and temperature of the nodes of a named point, line or surface, as far as they
+/// are fields.
+template <int dim>
+class Probe final : public Observable<dim>
+{
+public:
+  void declare(dealii::ParameterHandler& prm) override
+  {
+    prm.add_parameter("At", group,
+                      "Point, line or surface whose mean potential and temperature are wanted.");
+  }
+
+  void setup(const Scene<dim>& scene) override
+  {
+    for (const Field field : {Field::potential, Field::temperature})
+      if (scene.layout.has(field)) {
+        dofs.push_back(dofs_on(scene.mesh, scene.layout, group,
+                               "section Observables/probe, entry 'At'",
+                               scene.layout.first_component(field)));
+        names.push_back(field == Field::potential ? "probe_phi_kV" : "probe_theta_K");
+      }
+  }
+
+  std::vector<std::string> columns() const override { return names; }
+
+  std::vector<double> evaluate(const Scene<dim>& scene) override
+  {
+    const auto owned = scene.layout.dof_handler().locally_owned_dofs();
+    std::vector<double> sums(dofs.size(), 0.), means(dofs.size());
+    for (std::size_t f = 0; f < dofs.size(); ++f)
+      for (const auto dof : dofs[f])
+        if (owned.is_element(dof))
+          sums[f] += scene.state.x(dof) / dofs[f].size();
+    dealii::Utilities::MPI::sum(sums, scene.layout.communicator(), means);
+    return means;
+  }
+
+private:
+  std::string group;
+  std::vector<std::set<dealii::types::global_dof_index>> dofs;
+  std::vector<std::string> names;
+};
+
+} // namespace
+
+template <int dim>
+std::unique_ptr<Observable<dim>> make_probe()
+{
+  return std::make_unique<Probe<dim>>();
+}
+
+template std::unique_ptr<Observable<2>> make_probe();
+template std::unique_ptr<Observable<3>> make_probe();
+
+} // namespace thelma

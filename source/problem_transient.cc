@@ -1,0 +1,84 @@
+#include <thelma/problem.h>
+
+#include <limits>
+
+namespace thelma
+{
+
+/// Not where conduction finds the temperature.
+template <int dim>
+void Problem<dim>::set_uniform_temperature(const double value)
+{
+  if (layout.is_transient()) {
+    state.x.block(layout.block(Field::temperature)) = value;
+    state.x.update_ghost_values();
+  } else if (!layout.has(Field::temperature))
+    state.theta = value;
+}
+
+template <int dim>
+void Problem<dim>::evolve()
+{
+  transient.start();
+  while (!transient.finished()) {
+    const NewtonReport report = transient.step(predictor, newton, [&]() { return solve(); });
+    outcome.newton_iterations += report.iterations;
+    outcome.factorisations += report.factorisations;
+    if (report.converged) {
+      const double surprise = predictor.surprise();
+      if (transient.accept()) {
+        predictor.adapt(surprise);
+        record(state.voltage / loading.voltage(1.), report);
+      } else
+        ++outcome.failed_steps;
+      continue;
+    }
+    ++outcome.failed_steps;
+    last_failure = report.reason;
+    transient.cut_back();
+    predictor.adapt(std::numeric_limits<double>::infinity());
+    if (transient.exhausted()) {
+      outcome = failure("no convergence", "no stable state beyond " +
+                                              std::to_string(state.accepted_load()) +
+                                              " s: " + last_failure);
+      results.set_event("no convergence");
+      return;
+    }
+  }
+}
+
+template <int dim>
+void Problem<dim>::record(const double load, const NewtonReport& report)
+{
+  const long long unstable = unstable_directions(report);
+  if (layout.is_transient() && transient.is_monolithic())
+    transient.heated_system().residual(); // for the reactions
+  show_floating_voltage();
+  results.add(scene(),
+              {first_load + load, loading.field(state.voltage),
+               state.rates ? transient.step_size() : stepper.step(),
+               state.rates ? state.time / transient.final_time() : load, unstable,
+               unstable != last_unstable ? "bifurcation" : ""},
+              report);
+  last_unstable = unstable;
+}
+
+template <int dim>
+Scene<dim> Problem<dim>::scene()
+{
+  const bool monolithic = layout.is_transient() && transient.is_monolithic();
+  return {materials,  mesh,       layout,
+          conditions, nodal_heat, monolithic ? transient.heated_system() : system,
+          state};
+}
+
+template void Problem<2>::set_uniform_temperature(double);
+template void Problem<3>::set_uniform_temperature(double);
+template void Problem<2>::evolve();
+template void Problem<3>::evolve();
+template void Problem<2>::record(double, const NewtonReport&);
+template void Problem<3>::record(double, const NewtonReport&);
+template Scene<2> Problem<2>::scene();
+template Scene<3> Problem<3>::scene();
+
+} // namespace thelma

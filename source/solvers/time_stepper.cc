@@ -1,0 +1,76 @@
+#include <thelma/base/parameters.h>
+#include <thelma/solvers/time_stepper.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace thelma
+{
+
+void TimeStepper::declare(dealii::ParameterHandler& prm)
+{
+  using namespace dealii::Patterns;
+  const Section section(prm, {"Time"});
+  prm.add_parameter("End", end, "Where a transient run ends, in s.", Double(1e-12));
+  prm.add_parameter("Scheme", scheme,
+                    "`BDF2`: backward differences of second order, begun with one step of the "
+                    "first; `backward Euler`: of first order.",
+                    Selection("BDF2|backward Euler"));
+  prm.add_parameter("Initial step", initial, "First time step in s.", Double(1e-15));
+  prm.add_parameter("Largest step", largest, "Largest time step in s.", Double(1e-15));
+  prm.add_parameter("Tolerance", tolerance,
+                    "Error of the temperature in K that one time step may make (root mean square "
+                    "over the nodes); 0: every step is as long as the first.",
+                    Double(0.));
+}
+
+void TimeStepper::start(const std::vector<double>& kinks)
+{
+  time = trial = 0.;
+  size = std::min(initial, largest);
+  stops = kinks;
+  stops.push_back(end);
+  std::sort(stops.begin(), stops.end());
+}
+
+double TimeStepper::next()
+{
+  const double stop = *std::upper_bound(stops.begin(), stops.end(), time);
+  const double left = stop - time, n_steps = std::ceil(left / size * (1. - 1e-9));
+  trial = n_steps <= 1. ? stop : time + (n_steps <= 2. ? left / 2. : size);
+  return trial;
+}
+
+bool TimeStepper::accept(const double error, const unsigned int used)
+{
+  constexpr double safety = 0.9, least = 0.2, most = 2.;
+  double factor = 1.;
+  if (tolerance > 0. && used > 0)
+    factor = std::clamp(safety * std::pow(tolerance / std::max(error, 1e-300), 1. / (used + 1)),
+                        least, most);
+  const bool accepted = tolerance == 0. || used == 0 || error <= tolerance;
+  const double taken = trial - time;
+  if (accepted)
+    time = trial;
+  // A step that only met a stop says nothing against longer ones.
+  size = accepted ? std::min(std::max(factor * taken, factor >= 1. ? size : 0.), largest)
+                  : std::min(factor, 0.8) * taken;
+  return accepted;
+}
+
+void TimeStepper::cut_back()
+{
+  size = (trial - time) / 4.;
+}
+
+double error_share(const double time, const std::vector<double>& times, const unsigned int order)
+{
+  const std::size_t n = times.size();
+  const double h = time - times[n - 1], H = time - times[n - 2];
+  if (order == 1)
+    return h / (h + H);
+  const double step = h * h * H * H / (h + H), extrapolation = h * H * (time - times[n - 3]);
+  return step / (step + extrapolation);
+}
+
+} // namespace thelma

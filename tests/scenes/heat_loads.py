@@ -1,0 +1,85 @@
+"""Heat through surfaces and from sources, amplitudes over time, and how a transient run can end.
+
+Usage: heat_loads.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
+
+The slab is 0.5 mm thick with k = 0.16 N/(s K) and c = 1.92 MPa/K; all answers are linear or
+quadratic in space or time.
+"""
+
+import json
+import tempfile
+from pathlib import Path
+
+from scene import program_and_ranks, require
+
+SLAB = "verification/slab_heating"
+
+
+def run(program, folder, scene, entries, ranks=1, exit_code=0):
+    """A run with these entries."""
+    options = [word for entry in entries for word in ("--set", entry)]
+    return program.run(scene, folder, "--set", "Output/Fields=none", *options, ranks=ranks,
+                       exit_code=exit_code)
+
+
+def check_value(what, found, exact, tolerance):
+    print(f"{what}: {found:.9f} K, exactly {exact} K")
+    require(abs(found - exact) < tolerance, f"{what}: {found} K, not {exact} K")
+
+
+def check_steady(program, folder, ranks):
+    """Bottom at 353 K: k/L (353 - x) = h (x - 293) with h = k/L; q L/k = 1 K; R L^2/(2k) = 0.5 K."""
+    for what, entries, exact in [
+            ("convection", ["Heat/Convection=top: 0.32", "Heat/Surroundings=top: 293"], 323.0),
+            ("flux", ["Heat/Flux=top: 0.32"], 354.0),
+            ("source", ["Heat/Source=film: 0.64"], 353.5)]:
+        case = run(program, folder, SLAB, ["Temperature/Model=steady", *entries], ranks)
+        check_value(f"{what}, {ranks} rank(s)", case.curve("probe_theta_K")["probe_theta_K"][-1],
+                    exact, 1e-9)
+
+
+def check_transient(program, folder):
+    """The mean temperature of an otherwise insulated slab is the integral of what comes in."""
+    insulated = ["Temperature/Fixed=", "Time/End=2", "Time/Initial step=0.05", "Time/Tolerance=0",
+                 "Heat/Flux=bottom: 0.96"]
+    for what, amplitude, exact in [
+            ("step", "1", 295.0), ("ramp", "min(t, 1)", 294.5), ("table", "0: 0, 1: 1", 294.5),
+            ("pulse", "0: 1, 0.5: 1, 0.5000001: 0", 293.5)]:
+        case = run(program, folder, SLAB, [*insulated, f"Time/Heat amplitude={amplitude}"])
+        # The ramp's kink and the first step cost the order, not the limit.
+        check_value(f"flux as a {what}", case.curve("theta_K")["theta_K"][-1], exact, 0.03)
+
+
+def check_wall_amplitude(program, folder):
+    """A wall follows its table: half-way from 293 to 353 K after 1 s."""
+    case = run(program, folder, SLAB, ["Time/Wall amplitude=0: 0, 2: 1", "Time/End=1"])
+    check_value("wall", case.curve("theta_max_K")["theta_max_K"][-1], 323.0, 1e-9)
+
+
+def check_pull_in(program, folder):
+    """A voltage that rises in time past the limit of the film, e = 0.68737, ends the run with exit
+    code 3 and keeps the curve up to there."""
+    for coupling in ("staggered", "monolithic"):
+        case = run(program, folder, "planar_actuator",
+                   ["Temperature/Model=transient", "Time/Voltage amplitude=t",
+                    "Time/Initial step=0.05", "Time/Largest step=0.05",
+                    f"Time/Coupling={coupling}", "Expectations/Final values="], exit_code=3)
+        curve = case.curve("time_s", "e")
+        reason = json.loads((folder / "run.json").read_text())["reason"]
+        print(f"{coupling}: stopped at e = {curve['e'][-1]:.6f}; {reason}")
+        require(0.68 < curve["e"][-1] < 0.68737 + 1e-4, "this is not where the film pulls in")
+        require("no stable state beyond" in reason, "the reason does not say so")
+
+
+def main():
+    program, all_ranks = program_and_ranks(__doc__)
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for ranks in all_ranks:
+            check_steady(program, folder, ranks)
+        check_transient(program, folder)
+        check_wall_amplitude(program, folder)
+        check_pull_in(program, folder)
+
+
+main()

@@ -1,0 +1,100 @@
+"""The heated bending actuator: its ledger of energy and entropy, and the circle it ends as.
+
+Usage: heated_bending.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
+"""
+
+import json
+import math
+import tempfile
+from pathlib import Path
+
+from bending_reference import exact_mid_rotation
+from scene import program_and_ranks, require
+
+MISSING = ["ledger_energy_missing_mJ", "ledger_entropy_missing_mJ_per_K"]
+STOCK = ["ledger_heat_mJ", "ledger_entropy_mJ_per_K"]
+
+
+def check_end(program, folder, ranks):
+    """Warm throughout it stands at e = 0.75, 353 K. Its path does not depend on the ranks."""
+    turns = []
+    for n in ranks:
+        case = program.run("heated_bending", folder, "--set", "Output/Fields=none", ranks=n)
+        curve = case.curve("time_s", "mid_rotation_deg", "unstable_directions", *MISSING, *STOCK)
+        turns.append(curve["mid_rotation_deg"])
+        require(max(curve["unstable_directions"]) == 0, "a state is unstable")
+    exact = exact_mid_rotation(program.source, 1.8e-4, 353.0, 0.75)
+    error = turns[0][-1] / exact - 1
+    print(f"after 40 s mid-length turns {turns[0][-1]:.3f} degrees, exactly {exact:.3f}, "
+          f"relative error {error:.1e}")
+    require(abs(error) < 1e-3, f"error {error:.1e}")
+    difference = max(abs(turn[-1] - turns[0][-1]) for turn in turns)
+    require(difference < 1e-6 and len({len(turn) for turn in turns}) == 1,
+            f"{difference:.1e} degrees between numbers of ranks")
+    capacity = curve[MISSING[0]][-1] / curve[STOCK[0]][-1]
+    print(f"the paper's H with a constant capacity misses {100 * capacity:.2f} % of the heat")
+    require(abs(capacity) < 0.01, "more than the 1 % by which the capacity is wrong")
+
+
+def missing(program, folder, coupling, scheme, steps):
+    """What the laws of energy and entropy miss after 4 s, as parts of what came in."""
+    case = program.run(
+        "heated_bending", folder, "--set", "Mesh/Parameters=n1: 4, n3: 10",
+        "--set", "Output/Fields=none", "--set", "Time/Structural heat=entropy",
+        "--set", "Time/Wall amplitude=sin(pi*t/8)^2", "--set", "Time/Tolerance=0",
+        "--set", "Time/End=4", "--set", f"Time/Initial step={4 / steps}",
+        "--set", f"Time/Scheme={scheme}", "--set", f"Time/Coupling={coupling}")
+    curve = case.curve(*MISSING, *STOCK)
+    return [abs(curve[m][-1] / (curve[s][-1] - curve[s][0])) for m, s in zip(MISSING, STOCK)]
+
+
+def check_balance(program, folder):
+    """Both laws are closed to the order of the differences."""
+    for coupling in ("monolithic", "staggered"):
+        for scheme, order in (("backward Euler", 1), ("BDF2", 2)):
+            errors = [missing(program, folder, coupling, scheme, n) for n in (40, 80, 160)]
+            for name, values in zip(("energy", "entropy"), zip(*errors)):
+                orders = [math.log2(a / b) for a, b in zip(values, values[1:])]
+                print(f"{coupling}, {scheme}: {name} missing {' '.join(f'{v:.1e}' for v in values)} "
+                      f"of what came in with 40, 80, 160 steps, orders "
+                      f"{' '.join(f'{o:.2f}' for o in orders)}")
+                require(min(orders) > order - 0.2, f"order {min(orders):.2f} is not {order}")
+
+
+def per_step(case, folder, transient):
+    """Seconds and factorisations of a step; of a transient run without those that bend it first."""
+    curve = case.curve("seconds", *(["time_s"] if transient else []))
+    report = json.loads((folder / "run.json").read_text())
+    first = sum(t == 0 for t in curve["time_s"]) - 1 if transient else 0
+    steps = len(curve["seconds"]) - 1 - first
+    return ((curve["seconds"][-1] - curve["seconds"][first]) / steps,
+            report["factorisations"] / steps, steps)
+
+
+def check_cost(program, folder):
+    """A step in time on the paper's mesh against one of the isothermal curve. Seconds are printed,
+    factorisations of displacement and potential checked, since those of the temperature are small
+    (one a step)."""
+    still = per_step(program.run("bending_actuator", folder, "--set", "Output/Fields=none"), folder,
+                     False)
+    moving = per_step(program.run(
+        "bending_actuator", folder, "--set", "Output/Fields=none",
+        "--set", "Temperature/Value=293", "--set", "Loading/Control=voltage",
+        "--set", "Loading/Target=9.0798", "--set", "Temperature/Model=transient",
+        "--set", "Temperature/Fixed=back: 353", "--set", "Time/End=40",
+        "--set", "Time/Initial step=0.001", "--set", "Time/Tolerance=0.02"), folder, True)
+    print(f"paper's mesh: {moving[2]} steps in time of {moving[0]:.4f} s against {still[2]} isothermal "
+          f"ones of {still[0]:.4f} s, ratio {moving[0] / still[0]:.2f}; factorisations a step "
+          f"{moving[1] - 1:.2f} and {still[1]:.2f}")
+    require(moving[1] - 1 < 1.5 * still[1], "a step in time takes too many factorisations")
+
+
+def main():
+    program, ranks = program_and_ranks(__doc__)
+    with tempfile.TemporaryDirectory() as name:
+        check_end(program, Path(name), ranks)
+        check_balance(program, Path(name))
+        check_cost(program, Path(name))
+
+
+main()
