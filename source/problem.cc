@@ -18,7 +18,7 @@ Problem<dim>::Problem(const MPI_Comm comm, const ParameterFile& file, std::strin
       results(comm, file, std::move(folder), console, timings), materials(file), mesh(comm),
       system(layout, conditions, nodal_heat, state, timings),
       transient(layout, conditions, nodal_heat, state, timings),
-      predictor(layout, conditions, state)
+      predictor(layout, conditions, state), path_following(system, state, predictor, newton)
 {
   outcome.ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
   declare();
@@ -53,6 +53,7 @@ void Problem<dim>::declare()
                       "is kept, with an event in the curve (`keep`).",
                       Selection("reject|keep"));
   }
+  path_following.declare(prm);
   newton.declare(prm);
   transient.declare(prm);
   results.declare(prm);
@@ -81,6 +82,8 @@ void Problem<dim>::setup()
   state.start();
 
   results.setup(scene(), theta);
+  check_path();
+  check_stages();
 
   outcome.modelled = layout.summary();
   outcome.modelled.push_back(loading.description());
@@ -97,10 +100,13 @@ Outcome Problem<dim>::run()
 {
   results.start(parameters(), outcome, theta);
   heat();
-  if (outcome.code == ExitCode::success && layout.has(Field::potential))
-    apply_voltage();
+  if (outcome.code == ExitCode::success)
+    apply_loads();
   if (outcome.code == ExitCode::success && layout.is_transient())
     evolve();
+  outcome.newton_iterations += path_following.iterations();
+  outcome.factorisations += path_following.factorisations();
+  outcome.failed_steps += path_following.failures();
   results.finish(scene(), outcome);
   return outcome;
 }
@@ -114,12 +120,25 @@ void Problem<dim>::heat()
     conditions.apply(0., theta_start, part, state.x);
     nodal_heat.apply(theta_start, part, part);
     set_uniform_temperature(theta_start + part * (theta - theta_start));
-    if (state.path().size() == 1)
-      system.start_internal(); // free expansion is a better guess than none
   };
   NewtonReport last;
   const auto remember = [&](double, const NewtonReport& report) { last = report; };
-  if (follow(steps, LoadSymmetry::none, prescribe, remember)) {
+  const auto expand = [&](const double part) {
+    if (state.path().size() == 1)
+      system.start_internal(); // free expansion is a better guess than none
+    prescribe(part);
+  };
+  bool heated = follow(steps, LoadSymmetry::none, expand, remember);
+  if (!heated && path_following.is_automatic()) {
+    PathTask arc = task(steps);
+    const auto record_on_arc = arc.record;
+    arc.record = [&](const PathState& found) {
+      last = found.report;
+      record_on_arc(found);
+    };
+    heated = follow_arc(arc, prescribe) == PathEnd::target;
+  }
+  if (heated) {
     state.start();
     record(0., last);
   } else
@@ -128,47 +147,6 @@ void Problem<dim>::heat()
 }
 
 /// In a transient scene up to the voltage at time 0.
-template <int dim>
-void Problem<dim>::apply_voltage()
-{
-  if (layout.is_transient() && transient.initial_voltage() == 0.)
-    return;
-  stepper.start(loading.resolution());
-  const double target = layout.is_transient() ? transient.initial_voltage() : loading.voltage(1.);
-  const auto prescribe = [&](const double load) {
-    state.voltage = load * target;
-    conditions.apply(state.voltage, theta_start, 1., state.x);
-    if (layout.is_transient())
-      set_uniform_temperature(theta);
-  };
-  leave_rest(prescribe);
-  if (!follow(stepper, LoadSymmetry::voltage, prescribe,
-              [&](const double load, const NewtonReport& report) { record(load, report); })) {
-    prescribe(state.accepted_load());
-    explain_end(stepper);
-  } else if (loading.expects_pull_in() && !layout.is_transient()) {
-    outcome = failure("target reached", "the target was reached but a pull-in was expected");
-    outcome.code = ExitCode::expectation_failed;
-  }
-}
-
-/// At a voltage so small that the body answers linearly, the tangent at rest finds in which
-/// direction the path leaves. The first step can be foretold from there.
-template <int dim>
-void Problem<dim>::leave_rest(const std::function<void(double)>& prescribe)
-{
-  constexpr double small = 1. / 32.; // of the first step
-  const double load = small * stepper.step();
-  prescribe(load);
-  const NewtonReport report = newton.solve(system, true);
-  outcome.newton_iterations += report.iterations;
-  outcome.factorisations += report.factorisations;
-  if (report.converged)
-    state.accept(load);
-  else
-    state.restore();
-}
-
 template <int dim>
 bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
                           const std::function<void(double)>& prescribe, const Record& on_accept)
@@ -194,12 +172,16 @@ bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
       state.restore();
       predictor.adapt(std::numeric_limits<double>::infinity());
       steps.cut_back();
+      if (hands_over(steps, symmetry, true))
+        return false;
       continue;
     }
     predictor.adapt(surprise);
     state.accept(load);
     steps.accept(report.iterations, state.estimated_limit());
     on_accept(load, report);
+    if (!steps.finished() && hands_over(steps, symmetry, false))
+      return false;
   }
   return steps.finished();
 }
@@ -221,43 +203,12 @@ NewtonReport Problem<dim>::solve() const
     ++report.factorisations;
   }
   const long long unstable = unstable_directions(report);
-  if (report.converged && unstable != 0 && unstable_states == "reject") {
+  const bool rejects = unstable_states == "reject" || path_following.is_automatic();
+  if (report.converged && unstable != 0 && rejects) {
     report.converged = false;
     report.reason = "the state found has " + std::to_string(unstable) + " unstable direction(s)";
   }
   return report;
-}
-
-template <int dim>
-void Problem<dim>::explain_end(const Stepper& steps)
-{
-  const auto field = [&](const double load) { return loading.field(loading.voltage(load)); };
-  const double limit = state.estimated_limit();
-  const Bracket bracket{field(steps.accepted()), field(steps.failed()), field(limit)};
-  std::ostringstream between;
-  between << std::setprecision(7) << " between e = " << bracket.e_below << " and "
-          << bracket.e_above;
-
-  // At a limit point the last states themselves announce its end, not much farther away than they
-  // reach back; anything else is not a pull-in.
-  const bool turns_back =
-      limit < steps.failed() + std::max(10. * loading.resolution(), 2. * state.recent_span());
-  if (!turns_back) {
-    const bool unstable = last_failure.find("unstable") != std::string::npos;
-    outcome = failure(unstable ? "instability" : "no convergence",
-                      (unstable ? "loss of stability" : "no convergence") + between.str() + ": " +
-                          last_failure);
-    results.set_event(unstable ? "bifurcation" : "no convergence");
-    return;
-  }
-  outcome.pull_in = bracket;
-  outcome.name = "pull-in";
-  outcome.reason = "pull-in" + between.str();
-  results.set_event("pull-in");
-  if (!loading.expects_pull_in()) {
-    outcome.code = ExitCode::not_converged;
-    outcome.reason += ", before the target";
-  }
 }
 
 template <int dim>

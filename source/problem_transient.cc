@@ -53,8 +53,9 @@ void Problem<dim>::record(const double load, const NewtonReport& report)
   const long long unstable = unstable_directions(report);
   if (layout.is_transient() && transient.is_monolithic())
     transient.heated_system().residual(); // for the reactions
+  show_floating_voltage();
   results.add(scene(),
-              {load, loading.field(state.voltage),
+              {first_load + load, loading.field(state.voltage),
                state.rates ? transient.step_size() : stepper.step(),
                state.rates ? state.time / transient.final_time() : load, unstable,
                unstable != last_unstable ? "bifurcation" : ""},

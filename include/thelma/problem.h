@@ -3,6 +3,7 @@
 #include <thelma/assembly/predictor.h>
 #include <thelma/base/parameters.h>
 #include <thelma/output/results.h>
+#include <thelma/path_following.h>
 #include <thelma/solvers/stepper.h>
 #include <thelma/transient.h>
 
@@ -34,19 +35,33 @@ public:
   bool finished() const;
 
 private:
+  using PathEnd = typename PathFollowing<dim>::End;
+  using PathTask = typename PathFollowing<dim>::Task;
   using Record = std::function<void(double load, const NewtonReport&)>;
 
   void declare();
   void heat();
   void set_uniform_temperature(double value);
-  void apply_voltage();
+  void check_stages() const;
+  void apply_loads();
+  void change_electrode(const Stage& stage);
+  void ramp(const Stage& stage);
+  void show_floating_voltage();
   void evolve();
   void leave_rest(const std::function<void(double)>& prescribe);
   bool follow(Stepper& steps, LoadSymmetry symmetry, const std::function<void(double)>& prescribe,
               const Record& record);
+  bool hands_over(const Stepper& steps, LoadSymmetry symmetry, bool failed) const;
   NewtonReport solve() const;
   long long unstable_directions(const NewtonReport& report) const;
   void explain_end(const Stepper& steps);
+
+  /// On from the last accepted state along the arc of the path; @p prescribe as for follow().
+  PathEnd follow_arc(const PathTask& task, const std::function<void(double)>& prescribe);
+  void follow_load(const std::function<void(double)>& prescribe);
+  PathTask task(const Stepper& steps);
+  void check_path() const;
+  void explain_end(PathEnd end);
   void record(double load, const NewtonReport& report);
   Outcome failure(const std::string& name, const std::string& reason) const;
   Scene<dim> scene();
@@ -68,9 +83,12 @@ private:
   Loading loading;
   Newton newton;
   Stepper stepper;
+  PathFollowing<dim> path_following;
 
   unsigned int dimension = dim;
   double theta = 293., theta_start = 293.; ///< K
+  Levels levels;                           ///< reached by the stages so far
+  double first_load = 0.;                  ///< of the present stage, in the curve
   Outcome outcome;
   std::string last_failure;
   std::string unstable_states = "reject";

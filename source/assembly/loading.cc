@@ -12,8 +12,9 @@ void Loading::declare(dealii::ParameterHandler& prm)
   using namespace dealii::Patterns;
   const Section section(prm, {"Loading"});
   prm.add_parameter("Control", control,
-                    "What Target is: the `voltage` in kV or the dimensionless field `e`.",
-                    Selection("voltage|e"));
+                    "What Target is: the `voltage` in kV, the dimensionless field `e`, or the "
+                    "`charge` in uC of floating electrodes.",
+                    Selection("voltage|e|charge"));
   prm.add_parameter("Target", target, "Where the run ends unless an instability ends it before.",
                     Double(1e-12));
   prm.add_parameter("Film thickness", film_thickness,
@@ -27,6 +28,16 @@ void Loading::declare(dealii::ParameterHandler& prm)
                     "A pull-in is enclosed between two fields e this far apart; also the smallest "
                     "load step.",
                     Double(1e-12));
+  prm.add_parameter("Stages", stage_texts,
+                    "What happens one after the other: `voltage 1` or `charge 1` goes to this "
+                    "multiple of Target, `move 1` takes Supports/Moved along this part of their "
+                    "way, `disconnect NAME` lets an electrode float with its charge and `connect "
+                    "NAME` drives it from its potential. Empty: `voltage 1`, or `charge 1`.",
+                    List(Anything(), 0, 100));
+  prm.add_parameter("Until", until_values,
+                    "Where a path that is followed through instabilities ends before Target, as "
+                    "`column: value` of the curve.",
+                    Map(Anything(), Double(), 0, 1));
   prm.add_parameter("Expected end", expected_end,
                     "`target`: an instability before the target is exit code 3; `pull-in`: it is "
                     "the aim.",
@@ -46,13 +57,47 @@ void Loading::setup(const MaterialLibrary& materials, const double theta)
   const Material& film = materials.named(film_material);
   field_per_voltage =
       std::sqrt(film.permittivity(theta) / film.shear_modulus(theta)) / film_thickness;
-  target_voltage = control == "e" ? target / field_per_voltage : target;
+  if (control == "charge")
+    target_charge = target;
+  else
+    target_voltage = control == "e" ? target / field_per_voltage : target;
+  read_stages();
+}
+
+void Loading::read_stages()
+{
+  const std::map<std::string, Stage::Kind> kinds{{"voltage", Stage::Kind::voltage},
+                                                 {"charge", Stage::Kind::charge},
+                                                 {"move", Stage::Kind::move},
+                                                 {"connect", Stage::Kind::connect},
+                                                 {"disconnect", Stage::Kind::disconnect}};
+  if (stage_texts.empty()) {
+    stage_list = {{kinds.at(control == "charge" ? "charge" : "voltage"), 1., ""}};
+    return;
+  }
+  for (const std::string& text : stage_texts) {
+    std::istringstream words(text);
+    std::string word, rest;
+    words >> word;
+    const auto found = kinds.find(word);
+    Stage stage{found == kinds.end() ? Stage::Kind::voltage : found->second, 0., ""};
+    const bool read =
+        found != kinds.end() && (stage.is_ramp() ? words >> stage.level : words >> stage.electrode);
+    if (!read || words >> rest)
+      throw InputError("section Loading, entry 'Stages': '" + text +
+                       "' is no stage; write voltage, charge or move with a number, or connect or "
+                       "disconnect with an electrode");
+    stage_list.push_back(stage);
+  }
 }
 
 std::string Loading::description() const
 {
   std::ostringstream text;
-  text << "loading: voltage to " << target_voltage << " kV, e = " << field(target_voltage);
+  if (control == "charge")
+    text << "loading: charge to " << target_charge << " uC";
+  else
+    text << "loading: voltage to " << target_voltage << " kV, e = " << field(target_voltage);
   return text.str();
 }
 

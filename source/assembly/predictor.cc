@@ -14,20 +14,20 @@ namespace
 
 enum class Parity { none, even, odd };
 
-/// Weights of the accepted states in the polynomial of @p parity through them, at @p load.
-std::vector<double> weights(const std::vector<State::Accepted>& path, const double load,
+/// Weights of states at @p places in the polynomial of @p parity through them, at @p place.
+std::vector<double> weights(const std::vector<double>& places, const double place,
                             const Parity parity)
 {
-  const auto abscissa = [&](const double l) { return parity == Parity::none ? l : l * l; };
-  const auto is_zero = [&](const State::Accepted& a) {
-    return parity == Parity::odd && a.load == 0.; // known without being asked
+  const auto abscissa = [&](const double s) { return parity == Parity::none ? s : s * s; };
+  const auto is_zero = [&](const double s) {
+    return parity == Parity::odd && s == 0.; // known without being asked
   };
   std::vector<double> result;
-  for (const auto& a : path) {
-    double weight = is_zero(a) ? 0. : parity == Parity::odd ? load / a.load : 1.;
-    for (const auto& b : path)
+  for (const double& a : places) {
+    double weight = is_zero(a) ? 0. : parity == Parity::odd ? place / a : 1.;
+    for (const double& b : places)
       if (&a != &b && !is_zero(b))
-        weight *= (abscissa(load) - abscissa(b.load)) / (abscissa(a.load) - abscissa(b.load));
+        weight *= (abscissa(place) - abscissa(b)) / (abscissa(a) - abscissa(b));
     result.push_back(weight);
   }
   return result;
@@ -109,8 +109,24 @@ void Predictor<dim>::predict(const double load, const LoadSymmetry symmetry)
 {
   const bool mirrored = symmetry == LoadSymmetry::voltage;
   const std::vector<State::Accepted> path = recent();
-  const std::vector<double> even = weights(path, load, mirrored ? Parity::even : Parity::none);
-  combine(path, even, mirrored ? weights(path, load, Parity::odd) : even);
+  std::vector<double> loads;
+  for (const State::Accepted& accepted : path)
+    loads.push_back(accepted.load);
+  const std::vector<double> even = weights(loads, load, mirrored ? Parity::even : Parity::none);
+  combine(path, even, mirrored ? weights(loads, load, Parity::odd) : even);
+}
+
+template <int dim>
+double Predictor<dim>::predict_along(const std::vector<double>& places, const double place)
+{
+  const std::vector<State::Accepted> path = recent();
+  const std::vector<double> all = weights(
+      {places.end() - static_cast<std::ptrdiff_t>(path.size()), places.end()}, place, Parity::none);
+  double load = 0.;
+  for (std::size_t k = 0; k < path.size(); ++k)
+    load += all[k] * path[k].load;
+  combine(path, all, all);
+  return load;
 }
 
 template <int dim>
@@ -173,7 +189,6 @@ Predictor<dim>::temperature_weights(const std::vector<State::Accepted>& path) co
   return weights;
 }
 
-/// Write the sum of the states of the @p path, each with its weight, the potential's being @p odd.
 template <int dim>
 void Predictor<dim>::combine(const std::vector<State::Accepted>& path,
                              const std::vector<double>& even, const std::vector<double>& odd)

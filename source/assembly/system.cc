@@ -12,7 +12,8 @@ namespace thelma
 template <int dim>
 System<dim>::System(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
                     const NodalHeat<dim>& heat, State& state, Timings& timings)
-    : layout(layout), conditions(conditions), heat(heat), state(state), timings(timings)
+    : layout(layout), conditions(conditions), heat(heat), state(state), timings(timings),
+      floating(layout, conditions)
 {
 }
 
@@ -45,14 +46,15 @@ void System<dim>::setup(const Solved fields)
                [is_solved](const Cell<dim>& cell, const unsigned int c, const unsigned int d) {
                  return is_solved(cell, c) && is_solved(cell, d);
                });
+  floating.setup();
   solver = std::make_unique<Mumps>(layout.communicator(), is_symmetric());
   state.internal.resize(layout.cells().size() * formulation->n_internal());
   start_internal();
   internal_residual.assign(state.internal.size(), 0.);
   eliminations.assign(layout.cells().size() * formulation->n_elimination(), 0.);
   raw_residual = layout.new_vector();
-  base = correction = loads = layout.new_vector();
-  internal_base = internal_correction = state.internal;
+  base = nodal_correction = nodal_response = loads = layout.new_vector();
+  internal_base = internal_correction = internal_response = state.internal;
   state.x.update_ghost_values();
   compute_scales();
 }
@@ -103,6 +105,10 @@ void System<dim>::compute_scales()
   });
   volume = dealii::Utilities::MPI::sum(volume, layout.communicator());
   forces.compress(dealii::VectorOperation::add);
+  charge_scales.clear();
+  for (const Electrode& electrode : conditions.electrodes())
+    charge_scales.push_back(
+        dealii::Utilities::MPI::sum(electrode.own_sum(forces), layout.communicator()));
   conditions.constraints().set_zero(forces);
   scales.clear();
   for (unsigned int b = 0; b < forces.n_blocks(); ++b) {
@@ -140,6 +146,7 @@ ResidualReport System<dim>::residual()
           : std::sqrt(dealii::Utilities::MPI::sum(internal_error, layout.communicator()) / volume);
   for (unsigned int b = 0; b < residual.n_blocks(); ++b)
     norm = std::max(norm, residual.block(b).l2_norm() / scale(b));
+  norm = std::max(norm, charge_error());
   min_det_F = dealii::Utilities::MPI::min(min_det_F, layout.communicator());
   if (std::isnan(norm))
     norm = std::numeric_limits<double>::infinity();
@@ -161,10 +168,12 @@ void System<dim>::assemble_tangent()
   const auto timer = timings.measure("tangent");
   CellResult result;
   matrix.clear();
+  floating.clear();
   int unstable = 0;
   for_each_cell([&](const CellView<dim>& view) {
     formulation->tangent(view, result);
     matrix.add(view.index, view.cell, result.tangent);
+    floating.add(view.index, view.cell, result.tangent);
     unstable += result.unstable_inside;
     keep_elimination(view.index, result);
   });
@@ -186,18 +195,46 @@ LinearReport System<dim>::linear_solve(const bool reuse)
     report = solver->factorise(matrix.matrix());
     if (!report.solved)
       return report;
+    floating.finish(*solver);
+    report.negative_pivots += floating.negative_pivots();
   }
   const auto timer = timings.measure("linear solve");
-  correction.zero_out_ghost_values();
-  correction = raw_residual;
-  eliminate_internal(correction);
-  correction *= -1.;
-  conditions.constraints().set_zero(correction);
-  clear_given(correction);
-  solver->solve(correction);
-  conditions.constraints().set_zero(correction);
-  recover_internal();
+  nodal_correction.zero_out_ghost_values();
+  nodal_correction = raw_residual;
+  eliminate_internal(nodal_correction);
+  nodal_correction *= -1.;
+  solve_tangent(nodal_correction, floating.charges(state.charge));
+  recover_internal(nodal_correction, internal_correction);
   return report;
+}
+
+template <int dim>
+void System<dim>::solve_tangent(BlockVector& vector, const std::vector<double>& charges)
+{
+  std::vector<double> lacking = floating.sums(vector);
+  for (std::size_t k = 0; k < lacking.size(); ++k)
+    lacking[k] -= charges[k];
+  conditions.constraints().set_zero(vector);
+  clear_given(vector);
+  solver->solve(vector);
+  conditions.constraints().set_zero(vector);
+  floating.correct(lacking, vector);
+}
+
+/// Largest error of the charge of a floating electrode in units of the scaled residual.
+template <int dim>
+double System<dim>::charge_error() const
+{
+  const std::vector<double> charges = floating.charges(state.charge),
+                            reactions = floating.sums(raw_residual);
+  double largest = 0.;
+  std::size_t k = 0;
+  for (std::size_t e = 0; e < conditions.electrodes().size(); ++e)
+    if (conditions.electrodes()[e].floats) {
+      largest = std::max(largest, std::abs(reactions[k] + charges[k]) / charge_scales[e]);
+      ++k;
+    }
+  return largest;
 }
 
 template <int dim>
@@ -231,19 +268,18 @@ void System<dim>::eliminate_internal(BlockVector& nodal) const
 }
 
 template <int dim>
-void System<dim>::recover_internal()
+void System<dim>::recover_internal(BlockVector& x, std::vector<double>& values) const
 {
   const unsigned int n_internal = formulation->n_internal();
   if (n_internal == 0)
     return;
   std::vector<double> dx;
-  correction.update_ghost_values();
+  x.update_ghost_values();
   for (std::size_t index = 0; index < layout.cells().size(); ++index) {
-    layout.gather(layout.cells()[index], correction, dx);
-    formulation->recover(elimination(index), dx.data(),
-                         internal_correction.data() + index * n_internal);
+    layout.gather(layout.cells()[index], x, dx);
+    formulation->recover(elimination(index), dx.data(), values.data() + index * n_internal);
   }
-  correction.zero_out_ghost_values();
+  x.zero_out_ghost_values();
 }
 
 template <int dim>
@@ -252,7 +288,7 @@ void System<dim>::relax_internal()
   constexpr int most = 20;
   constexpr double negligible = 1e-13; // of the largest
   CellResult result;
-  correction = 0.;
+  nodal_correction = 0.;
   bool settled = false;
   for (int pass = 0; pass < most && !settled; ++pass) {
     residual();
@@ -260,7 +296,7 @@ void System<dim>::relax_internal()
       formulation->tangent(view, result);
       keep_elimination(view.index, result);
     });
-    recover_internal();
+    recover_internal(nodal_correction, internal_correction);
     std::vector<double> own(2, 0.), largest(2); // correction and value
     for (std::size_t i = 0; i < state.internal.size(); ++i) {
       state.internal[i] += internal_correction[i];
@@ -276,7 +312,7 @@ template <int dim>
 void System<dim>::move_to(const double step)
 {
   state.x = base;
-  state.x.add(step, correction);
+  state.x.add(step, nodal_correction);
   state.x.update_ghost_values();
   for (std::size_t i = 0; i < state.internal.size(); ++i)
     state.internal[i] = internal_base[i] + step * internal_correction[i];
@@ -289,7 +325,8 @@ long long System<dim>::unstable_directions(const long long negative_pivots) cons
       layout.has(Field::potential)
           ? static_cast<long long>(conditions.n_free(layout, Field::potential))
           : 0;
-  return negative_pivots + unstable_inside - expected;
+  const long long n_floating = floating.charges(0.).size();
+  return negative_pivots + unstable_inside - expected - n_floating;
 }
 
 template class System<2>;

@@ -7,6 +7,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace thelma
 {
@@ -43,14 +44,12 @@ void BoundaryConditions<dim>::declare(dealii::ParameterHandler& prm)
                       "Displacement components held at zero on surfaces, lines or points, as "
                       "`clamp: u1 u2 u3, symmetry: u1`.",
                       Map(Anything(), Anything(), 0, 100));
+    prm.add_parameter("Moved", moved_supports,
+                      "Displacement components in mm to which the stage `move` (Loading/Stages) "
+                      "takes surfaces, lines or points, as `grip: u1 2.5`.",
+                      Map(Anything(), Anything(), 0, 100));
   }
-  {
-    const Section section(prm, {"Electrodes"});
-    prm.add_parameter("Potential", electrodes,
-                      "Potential of each electrode as a multiple of the applied voltage, as "
-                      "`bottom: 0, top: 1`; 0 is ground.",
-                      Map(Anything(), Double(), 0, 100));
-  }
+  plates.declare(prm);
   const Section section(prm, {"Temperature"});
   prm.add_parameter("Fixed", temperatures,
                     "Temperatures of surfaces in K, as `inner: 353`; only for a temperature field.",
@@ -61,14 +60,19 @@ template <int dim>
 void BoundaryConditions<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout)
 {
   fix_supports(mesh, layout);
-  fix_electrodes(mesh, layout);
+  fix_moved_supports(mesh, layout);
+  plates.setup(mesh, layout);
+  collect_driven();
   fix_temperatures(mesh, layout);
 
   owned = layout.dof_handler().locally_owned_dofs();
   homogeneous.clear();
-  for (const Values* values : {&fixed_dofs, &driven_dofs, &heated_dofs})
+  for (const Values* values : {&fixed_dofs, &moved_dofs, &heated_dofs})
     for (const auto& entry : *values)
       homogeneous.add_line(entry.first);
+  for (const Electrode& electrode : electrodes())
+    for (const auto dof : electrode.dofs)
+      homogeneous.add_line(dof);
   for (const auto& pair : layout.duplicates())
     homogeneous.add_line(pair.first);
   homogeneous.close();
@@ -98,25 +102,47 @@ void BoundaryConditions<dim>::fix_supports(const Mesh<dim>& mesh, const FieldLay
 }
 
 template <int dim>
-void BoundaryConditions<dim>::fix_electrodes(const Mesh<dim>& mesh, const FieldLayout<dim>& layout)
+void BoundaryConditions<dim>::fix_moved_supports(const Mesh<dim>& mesh,
+                                                 const FieldLayout<dim>& layout)
 {
-  const std::string place = "section Electrodes, entry 'Potential'";
-  if (!layout.has(Field::potential)) {
-    if (!electrodes.empty())
-      throw InputError(place + ": every region is passive, so there is no potential; remove the "
-                               "electrodes or make a region active");
-    return;
+  const std::string place = "section Supports, entry 'Moved'";
+  for (const auto& [surface, text] : moved_supports) {
+    std::istringstream words(text);
+    std::string component;
+    double way = 0.;
+    if (!(words >> component >> way))
+      throw InputError(place + ": '" + text +
+                       "' is not a displacement component and mm; write it "
+                       "as u1 2.5");
+    for (const unsigned int c : parse_components<dim>(component, place))
+      fix(mesh, layout, surface, place, c, way, moved_dofs);
   }
-  const auto is_ground = [](const auto& electrode) { return electrode.second == 0.; };
-  if (std::none_of(electrodes.begin(), electrodes.end(), is_ground))
-    throw InputError(place + ": there is no ground electrode; give one surface the potential 0");
-  for (const auto& [surface, factor] : electrodes) {
-    const unsigned int phi = layout.first_component(Field::potential);
-    if (dofs_on(mesh, layout, surface, place, phi).empty())
-      throw InputError(place + ": surface '" + surface +
-                       "' touches only regions without electric field");
-    fix(mesh, layout, surface, place, phi, factor, driven_dofs);
-  }
+  for (const auto& entry : moved_dofs)
+    fixed_dofs.erase(entry.first);
+}
+
+template <int dim>
+void BoundaryConditions<dim>::collect_driven()
+{
+  driven_dofs.clear();
+  for (const Electrode& electrode : electrodes())
+    if (!electrode.floats)
+      for (const auto dof : electrode.dofs)
+        driven_dofs[dof] = electrode.voltage_multiple;
+}
+
+template <int dim>
+void BoundaryConditions<dim>::disconnect(const std::string& name, const double charge)
+{
+  plates.disconnect(name, charge);
+  collect_driven();
+}
+
+template <int dim>
+void BoundaryConditions<dim>::connect(const std::string& name)
+{
+  plates.connect(name);
+  collect_driven();
 }
 
 template <int dim>
@@ -139,6 +165,9 @@ void BoundaryConditions<dim>::apply(const double voltage, const double theta_sta
   for (const auto& [dof, value] : fixed_dofs)
     if (owned.is_element(dof))
       x(dof) = value;
+  for (const auto& [dof, way] : moved_dofs)
+    if (owned.is_element(dof))
+      x(dof) = motion * way;
   for (const auto& [dof, factor] : driven_dofs)
     if (owned.is_element(dof))
       x(dof) = factor * voltage;

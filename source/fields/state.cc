@@ -6,10 +6,10 @@
 namespace thelma
 {
 
-void State::start()
+void State::start(const double load)
 {
   x.update_ghost_values();
-  past = {{0., x, internal}};
+  past = {{load, x, internal}};
 }
 
 void State::restore()

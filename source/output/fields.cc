@@ -154,6 +154,23 @@ void FieldWriter<dim>::write(const Scene<dim>& scene, const std::string& folder,
   });
 }
 
+template <int dim>
+void FieldWriter<dim>::write_mode(const Scene<dim>& scene, const std::string& folder,
+                                  BlockVector mode)
+{
+  if (frequency == "none")
+    return;
+  std::vector<std::string> names;
+  std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation> kinds;
+  describe(scene.layout, names, kinds);
+  mode.update_ghost_values();
+  scene.layout.complete(mode);
+  dealii::DataOut<dim> out;
+  out.add_data_vector(scene.layout.dof_handler(), mode, names, kinds);
+  out.build_patches(scene.layout.degree());
+  out.write_vtu_with_pvtu_record(folder + "/", "mode", n_modes++, scene.layout.communicator(), 1);
+}
+
 template class FieldWriter<2>;
 template class FieldWriter<3>;
 

@@ -4,6 +4,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -120,6 +121,30 @@ void Results<dim>::add(const Scene<dim>& scene, const PathPoint& point, const Ne
   on_rank_0(comm, [&]() { curve->write(folder + "/curve.csv"); });
   fields.write(scene, folder, curve->n_rows() - 1, abscissa(scene, point.load), false);
   print_step(scene, point, report);
+}
+
+template <int dim>
+void Results<dim>::require_column(const std::string& column, const std::string& place) const
+{
+  std::vector<std::string> known;
+  for (const auto& entry : observed)
+    for (const std::string& name : entry.second->columns())
+      known.push_back(name);
+  if (std::find(known.begin(), known.end(), column) == known.end())
+    throw InputError(place + ": no observable has the column '" + column +
+                     "'; known: " + comma_separated(known));
+}
+
+template <int dim>
+double Results<dim>::value(const Scene<dim>& scene, const std::string& column)
+{
+  for (const auto& entry : observed) {
+    const std::vector<std::string> columns = entry.second->columns();
+    const auto found = std::find(columns.begin(), columns.end(), column);
+    if (found != columns.end())
+      return entry.second->evaluate(scene)[found - columns.begin()];
+  }
+  return 0.;
 }
 
 template <int dim>

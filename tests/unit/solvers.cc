@@ -1,5 +1,6 @@
 // The load stepper and Newton's method on systems whose answers are known by hand.
 
+#include <thelma/solvers/continuation.h>
 #include <thelma/solvers/newton.h>
 #include <thelma/solvers/stepper.h>
 
@@ -112,6 +113,63 @@ TEST(Newton, FailsAsAValue)
   const NewtonReport report = Newton().solve(system);
   EXPECT_FALSE(report.converged);
   EXPECT_FALSE(report.reason.empty());
+}
+
+/// u^3 - u = load, with limit points at u = +- 1/sqrt(3).
+struct Cubic : LoadedSystem {
+  Cubic() : u(1), du(1), du_dload(1) {}
+  double load() const override { return factor; }
+  void set_load(const double load) override { factor = load; }
+  const Displacement& displacement() const override { return u; }
+  const Displacement& correction() const override { return du; }
+  const Displacement& response() const override { return du_dload; }
+  double excess() const { return u(0) * u(0) * u(0) - u(0) - factor; }
+  double slope() const { return 3. * u(0) * u(0) - 1.; }
+  ResidualReport residual() override { return {std::abs(excess()), 1.}; }
+  LinearReport linear_solve(bool) override
+  {
+    base = u(0);
+    du(0) = -excess() / slope();
+    return {true, ""};
+  }
+  void solve_load() override { du_dload(0) = 1. / slope(); }
+  void add_response(const double change) override { du(0) += change * du_dload(0); }
+  void move_to(const double step) override { u(0) = base + step * du(0); }
+
+  Displacement u, du, du_dload;
+  double factor = 0., base = 0.;
+};
+
+TEST(BorderedSystem, FindsStatesBeyondALimitPointAndNextToIt)
+{
+  const double limit = -1. / std::sqrt(3.);
+  for (const double target : {-0.2, limit + 1e-7, 0.4}) {
+    Cubic system;
+    system.u(0) = -1.;
+    Plane plane;
+    plane.normal = system.u;
+    plane.normal(0) = 1.;
+    plane.value = target;
+    BorderedSystem bordered(system, plane);
+    const NewtonReport report = Newton().solve(bordered);
+    EXPECT_TRUE(report.converged) << report.reason;
+    EXPECT_NEAR(system.u(0), target, 1e-9);
+    EXPECT_NEAR(system.load(), target * target * target - target, 1e-9);
+  }
+}
+
+TEST(ArcStepper, GrowsAgainAfterAFailure)
+{
+  ArcStepper stepper;
+  stepper.start(1., 1e-3);
+  stepper.cut_back();
+  EXPECT_EQ(stepper.step(), 0.5);
+  for (int n = 0; n < 10; ++n)
+    stepper.accept(3, 0.01, 2.);
+  EXPECT_EQ(stepper.step(), 2.);
+  for (int n = 0; n < 20; ++n)
+    stepper.cut_back();
+  EXPECT_TRUE(stepper.exhausted());
 }
 
 } // namespace

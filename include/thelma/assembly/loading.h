@@ -4,12 +4,33 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <map>
 #include <string>
+#include <vector>
 
 namespace thelma
 {
 
-/// What the load factor means: a voltage in kV or a dimensionless nominal field
+/// One stage of a run: a quantity goes to a multiple of its target while the load factor goes from
+/// 0 to 1, or an electrode changes.
+struct Stage {
+  enum class Kind { voltage, charge, move, connect, disconnect };
+  Kind kind;
+  double level = 0.;     ///< of a quantity, at the end
+  std::string electrode; ///< that changes
+  bool is_ramp() const { return kind != Kind::connect && kind != Kind::disconnect; }
+};
+
+/// Multiples of their targets that the quantities have reached.
+struct Levels {
+  double voltage = 0., charge = 0., motion = 0.;
+  double& of(Stage::Kind kind)
+  {
+    return kind == Stage::Kind::voltage ? voltage : kind == Stage::Kind::charge ? charge : motion;
+  }
+};
+
+/// What the load factor means: a voltage in kV, a charge in uC or a dimensionless nominal field
 ///   e = V / h sqrt(eps / mu(theta))      (theory.md, eq. 17).
 class Loading
 {
@@ -19,19 +40,33 @@ public:
   /// Fix the film's properties at the uniform (or initial) temperature @p theta in K.
   void setup(const MaterialLibrary& materials, double theta);
 
-  double voltage(double load) const { return load * target_voltage; } ///< kV
+  double voltage(double level) const { return level * target_voltage; } ///< kV
+  double charge(double level) const { return level * target_charge; }   ///< uC
   double field(double voltage) const { return voltage * field_per_voltage; }
 
   /// Width of the bracket around a pull-in, as a load factor.
-  double resolution() const { return bracket / field(target_voltage); }
+  double resolution() const
+  {
+    return target_voltage > 0. ? bracket / field(target_voltage) : bracket;
+  }
+
+  const std::vector<Stage>& stages() const { return stage_list; }
+
+  /// Column of the curve at whose value the path ends, if there is one.
+  const std::map<std::string, double>& until() const { return until_values; }
 
   bool expects_pull_in() const { return expected_end == "pull-in"; }
   std::string description() const;
 
 private:
   std::string control = "e", expected_end = "target", film_material;
+  void read_stages();
+
+  std::map<std::string, double> until_values;
+  std::vector<std::string> stage_texts;
+  std::vector<Stage> stage_list;
   double target = 1., film_thickness = 1., bracket = 1e-4;
-  double target_voltage = 0., field_per_voltage = 0.;
+  double target_voltage = 0., target_charge = 0., field_per_voltage = 0.;
 };
 
 } // namespace thelma

@@ -38,6 +38,9 @@ public:
   /// Write the guess at @p load into the State's iterate.
   void predict(double load, LoadSymmetry symmetry);
 
+  /// The same at @p place of a path on which the accepted states stand at @p places, also between
+  /// them; returns the load there.
+  double predict_along(const std::vector<double>& places, double place);
   /// Write a better guess of the deformation once the temperature of the iterate is known: by the
   /// weights with which the accepted states make this temperature best.
   void follow_temperature();
@@ -50,8 +53,12 @@ public:
   void adapt(double surprise);
 
 private:
+  /// The newest accepted states that the present order asks for.
   std::vector<State::Accepted> recent() const;
   std::vector<double> temperature_weights(const std::vector<State::Accepted>& path) const;
+
+  /// Write the sum of the states of the @p path: @p even weighs them for all fields that reversing
+  /// the load does not reverse, @p odd for the others.
   void combine(const std::vector<State::Accepted>& path, const std::vector<double>& even,
                const std::vector<double>& odd);
   void factorise();

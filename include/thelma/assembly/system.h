@@ -1,12 +1,14 @@
 #pragma once
 
+#include <thelma/assembly/floating_electrodes.h>
 #include <thelma/assembly/nodal_heat.h>
 #include <thelma/base/timings.h>
 #include <thelma/elements/formulation.h>
 #include <thelma/fields/state.h>
+#include <thelma/solvers/continuation.h>
 #include <thelma/solvers/mumps.h>
-#include <thelma/solvers/newton.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -16,7 +18,7 @@ namespace thelma
 /// The discrete balance of a scene: sums the cells into residual and tangent at the State's
 /// iterate and solves for corrections.
 template <int dim>
-class System : public NonlinearSystem
+class System : public LoadedSystem
 {
 public:
   System(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
@@ -37,6 +39,20 @@ public:
   ResidualReport residual() override;
   LinearReport linear_solve(bool reuse) override;
   void move_to(double step) override;
+
+  /// From now on @p prescribe writes what belongs to a load factor into the State.
+  void load_by(std::function<void(double)> prescribe) { prescription = std::move(prescribe); }
+  double load() const override { return load_factor; }
+  void set_load(double load) override;
+  void solve_load() override;
+  void add_response(double change) override;
+  const Displacement& displacement() const override { return state.x.block(0); }
+  const Displacement& correction() const override { return nodal_correction.block(0); }
+  const Displacement& response() const override { return nodal_response.block(0); }
+
+  /// The eigenvalue of smallest size of the tangent last factorised with all fields but the
+  /// displacement eliminated, and its eigenvector of length 1 in @p mode (theory.md, eq. 45).
+  double critical_mode(BlockVector& mode);
 
   /// Assemble the tangent at the iterate.
   void assemble_tangent();
@@ -75,8 +91,15 @@ private:
   /// Residual with the internal unknowns eliminated, in @p nodal.
   void eliminate_internal(BlockVector& nodal) const;
 
-  /// Correction of the internal unknowns that belongs to the nodal one.
-  void recover_internal();
+  /// Correction of the internal unknowns that belongs to the nodal one, @p dx.
+  void recover_internal(BlockVector& dx, std::vector<double>& values) const;
+
+  double orientation(BlockVector& mode) const;
+  double charge_error() const;
+
+  /// Replace minus a nodal residual by the correction that belongs to it; the charges of floating
+  /// electrodes lack @p charges.
+  void solve_tangent(BlockVector& vector, const std::vector<double>& charges);
   Elimination<dim> elimination(std::size_t cell) const;
   void keep_elimination(std::size_t cell, const CellResult& result);
 
@@ -98,14 +121,18 @@ private:
   std::string formulation_name = "selective reduced";
   std::unique_ptr<Formulation<dim>> formulation;
   TangentMatrix<dim> matrix;
+  FloatingElectrodes<dim> floating;
+  std::vector<double> charge_scales; ///< of all electrodes
   std::unique_ptr<Mumps> solver;
   std::vector<double> scales; ///< per block
   double volume = 0.;         ///< mm^dim
   int unstable_inside = 0;    ///< directions in all cells, at the last tangent
-  BlockVector raw_residual, loads, base, correction;
-  std::vector<double> internal_base, internal_correction;
+  BlockVector raw_residual, loads, base, nodal_correction, nodal_response;
+  std::vector<double> internal_base, internal_correction, internal_response;
   std::vector<double> internal_residual; ///< of all own cells
   std::vector<double> eliminations;      ///< of all own cells, of the tangent last assembled
+  std::function<void(double)> prescription;
+  double load_factor = 0.;
 };
 
 template <int dim>

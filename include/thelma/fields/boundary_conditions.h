@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/fields/layout.h>
+#include <thelma/fields/electrodes.h>
 
 #include <deal.II/lac/affine_constraints.h>
 
@@ -30,7 +30,20 @@ public:
   /// temperatures at the fraction @p heating of their way from @p theta_start (K).
   void apply(double voltage, double theta_start, double heating, BlockVector& x) const;
 
-  /// Potential unknowns of all electrodes with their multiple of the voltage.
+  /// From now on the moved supports are at the fraction @p part of their way.
+  void set_motion(const double part) { motion = part; }
+
+  const std::vector<Electrode>& electrodes() const { return plates.all(); }
+  const Electrode& electrode(const std::string& name, const std::string& place) const
+  {
+    return plates.named(name, place);
+  }
+
+  /// Let the electrode @p name float with @p charge (uC) from now on, or drive it.
+  void disconnect(const std::string& name, double charge);
+  void connect(const std::string& name);
+
+  /// Potential unknowns of the driven electrodes with their multiple of the voltage.
   const std::map<dealii::types::global_dof_index, double>& driven() const { return driven_dofs; }
 
   /// Temperature unknowns of the walls with their value in K.
@@ -45,14 +58,19 @@ private:
   static void fix(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string& surface,
                   const std::string& place, unsigned int component, double value, Values& values);
   void fix_supports(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
-  void fix_electrodes(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
+  void fix_moved_supports(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
+  void collect_driven();
   void fix_temperatures(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
 
   std::map<std::string, std::string> supports;
-  std::map<std::string, double> electrodes, temperatures;
+  std::map<std::string, std::string> moved_supports;
+  std::map<std::string, double> temperatures;
+  Electrodes<dim> plates;
+  double motion = 0.;
 
   dealii::IndexSet owned;
   Values fixed_dofs;  ///< value in mm
+  Values moved_dofs;  ///< value in mm at the end of the way
   Values driven_dofs; ///< multiple of the voltage
   Values heated_dofs; ///< value in K
   dealii::AffineConstraints<double> homogeneous;

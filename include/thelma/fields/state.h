@@ -19,8 +19,8 @@ struct HeatInflow {
 class State
 {
 public:
-  /// Begin a path at load 0 with the iterate as its accepted start.
-  void start();
+  /// Begin a path at @p load with the iterate as its accepted start.
+  void start(double load = 0.);
 
   /// Remember the iterate as the converged state at the load factor @p load.
   void accept(double load);
@@ -54,6 +54,7 @@ public:
   BlockVector x;                ///< values of all fields, with ghosts
   std::vector<double> internal; ///< unknowns inside the own cells, such as element pressures
   double voltage = 0.;          ///< kV
+  double charge = 0.;           ///< applied to floating electrodes, uC
   double theta = 0.;            ///< uniform temperature in K
   double time = 0.;             ///< s; in transient scenes also the load
   HeatInflow inflow;            ///< into the accepted state

@@ -8,7 +8,7 @@ namespace thelma
 
 /// Compressible neo-Hookean, without its volumetric energy (theory.md, eq. 5):
 ///   W = mu(theta)/2 (F : F - 3 - 2 ln J),   W_F = mu (F - F^{-T}).
-/// The modulus is a TemperatureLaw in MPa; default: Sharma, Khurana and Joglekar, section 4.
+/// The modulus is a TemperatureLaw in MPa.
 class NeoHookean
 {
 public:
@@ -62,7 +62,7 @@ public:
   }
 
 private:
-  TemperatureLaw mu{{1.5180 / 3., -1.078 / 3., 0.2001 / 3.}};
+  TemperatureLaw mu{paper_shear_modulus()};
 };
 
 } // namespace thelma

@@ -71,4 +71,10 @@ private:
   std::vector<double> c;
 };
 
+/// mu(theta) in MPa of Sharma, Khurana and Joglekar, section 4.
+inline std::vector<double> paper_shear_modulus()
+{
+  return {1.5180 / 3., -1.078 / 3., 0.2001 / 3.};
+}
+
 } // namespace thelma

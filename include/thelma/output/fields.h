@@ -20,7 +20,11 @@ public:
   void write(const Scene<dim>& scene, const std::string& folder, unsigned int step, double load,
              bool last);
 
+  /// Write a displacement and the other fields that go with it, as the next mode.
+  void write_mode(const Scene<dim>& scene, const std::string& folder, BlockVector mode);
+
 private:
+  unsigned int n_modes = 0;
   std::string frequency = "last";
   std::vector<std::pair<double, std::string>> written;
 };

@@ -50,6 +50,8 @@ const NamedList<Observable<dim>>& observables();
 template <int dim>
 std::unique_ptr<Observable<dim>> make_charge();
 template <int dim>
+std::unique_ptr<Observable<dim>> make_electrodes();
+template <int dim>
 std::unique_ptr<Observable<dim>> make_energy();
 template <int dim>
 std::unique_ptr<Observable<dim>> make_rotation(const std::string& name);

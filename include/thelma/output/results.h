@@ -21,7 +21,7 @@ namespace thelma
 struct PathPoint {
   double load, e;
   double step_size;              ///< of the next step
-  double part;                   ///< of the whole path
+  double part;                   ///< of the whole path, if that is known
   long long unstable_directions; ///< of a symmetric system
   std::string event;
 };
@@ -50,6 +50,18 @@ public:
   void start(const std::string& parameters, const Outcome& outcome, double theta);
 
   void add(const Scene<dim>& scene, const PathPoint& point, const NewtonReport& report);
+
+  /// Throws InputError, with @p place in the sentence, if no observable has @p column.
+  void require_column(const std::string& column, const std::string& place) const;
+
+  /// What @p column of an observable is in the present state.
+  double value(const Scene<dim>& scene, const std::string& column);
+
+  /// Write an eigenvector of the tangent as `mode_0.vtu`, ...
+  void add_mode(const Scene<dim>& scene, const BlockVector& mode)
+  {
+    fields.write_mode(scene, folder, mode);
+  }
 
   /// Mark the newest step.
   void set_event(const std::string& event) { curve->set_event(event); }

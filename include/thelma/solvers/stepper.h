@@ -32,6 +32,7 @@ public:
 
   double accepted() const { return load; }
   double step() const { return size; }
+  double largest_step() const { return largest; }
 
   /// Smallest load factor known to fail; above 1 if there is none.
   double failed() const { return upper; }

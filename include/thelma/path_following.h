@@ -1,0 +1,117 @@
+#pragma once
+
+#include <thelma/assembly/predictor.h>
+#include <thelma/assembly/system.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace thelma
+{
+
+/// A state found on a path.
+struct PathState {
+  NewtonReport report;
+  double load = 0.;
+  double slope = 0.; ///< of the load over arc length, in the direction of travel
+  double step = 0.;  ///< of arc length, the next one
+  double place = 0.; ///< arc length from the first of the remembered states, of a located event
+  long long unstable_directions = 0;
+  std::string event;
+};
+
+/// Follows equilibria along their arc length, through limit points and bifurcations, which it
+/// locates (theory.md, "Path following").
+template <int dim>
+class PathFollowing
+{
+public:
+  PathFollowing(System<dim>& system, State& state, Predictor<dim>& predictor, const Newton& newton)
+      : system(system), state(state), predictor(predictor), newton(newton)
+  {
+  }
+
+  void declare(dealii::ParameterHandler& prm);
+
+  bool is_automatic() const { return continuation == "automatic"; }
+
+  /// Whether a limit point announces itself on a path whose loads grow in steps of @p step.
+  bool turns_soon(double step) const
+  {
+    return state.estimated_limit() < state.accepted_load() + 3. * step;
+  }
+
+  enum class End { target, observable, limit_point, no_load, most_steps, lost };
+
+  /// What follow() is to do.
+  struct Task {
+    double first_step, largest_step;   ///< of the load
+    bool stop_at_limit;                ///< whether the first limit point is the aim
+    std::function<double()> remainder; ///< changes sign where the path is to end; may be empty
+    std::function<void(const PathState&)> record;
+    std::function<void(const BlockVector&)> record_mode; ///< of a bifurcation
+  };
+
+  /// From the last accepted state until load 1 or another end.
+  End follow(const Task& task);
+
+  unsigned int iterations() const { return n_iterations; }
+  unsigned int factorisations() const { return n_factorisations; }
+  unsigned int failures() const { return n_failures; }
+
+private:
+  using Solution = std::optional<PathState>;
+
+  void choose_metric();
+  double distance(const BlockVector& a, double load_a, const BlockVector& b, double load_b) const;
+  std::vector<double> places() const;
+
+  /// The plane through the iterate across the direction from the accepted state @p from to it.
+  Plane across(const State::Accepted& from) const;
+  Plane across_load(double load) const;
+  void predict(double step);
+  Solution solve(const Plane& plane);
+  Solution advance();
+
+  /// Tangent, slope and count of unstable directions at the iterate; @p plane faces forward.
+  void examine(const Plane& plane, PathState& found);
+
+  /// The state at @p place between the last two accepted states.
+  Solution between(double place);
+
+  /// Where @p value, of a state at arc lengths @p low to @p high of the last step, changes sign.
+  Solution locate(double low, double high, double tolerance,
+                  const std::function<double(const PathState&)>& value);
+  Solution locate_limit(double low, double high);
+  Solution locate_bifurcation(double low, double high, long long before);
+  Solution land_on_target();
+  enum class Events { none, aim, new_branch };
+  struct Place {
+    double arc, slope;
+    long long unstable_directions;
+  };
+  Events report_events(const Task& task, const PathState& here, const PathState& next);
+  Events report_between(const Task& task, const Place& low, const Place& high);
+  void start_branch(double place);
+  Solution switch_branch(double step);
+  PathState begin(const Task& task);
+  std::optional<End> finish(const Task& task, const PathState& here, const PathState& next);
+
+  System<dim>& system;
+  State& state;
+  Predictor<dim>& predictor;
+  const Newton& newton;
+
+  std::string continuation = "load", branch = "none";
+  unsigned int most_steps = 1000;
+
+  ArcStepper stepper;
+  double largest_step = 1., remainder = 0.;
+  double weight = 0.; ///< of a squared displacement against a squared load
+  bool on_branch = false;
+  BlockVector mode;
+  unsigned int n_iterations = 0, n_factorisations = 0, n_failures = 0;
+};
+
+} // namespace thelma

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <thelma/solvers/newton.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+namespace thelma
+{
+
+/// A nonlinear system whose equations contain a load factor.
+class LoadedSystem : public NonlinearSystem
+{
+public:
+  using Displacement = dealii::LinearAlgebra::distributed::Vector<double>;
+
+  virtual double load() const = 0;
+
+  /// Write what the load prescribes into the iterate.
+  virtual void set_load(double load) = 0;
+
+  /// Find the change of the iterate per load, with the tangent of the last linear_solve().
+  virtual void solve_load() = 0;
+
+  /// Add to the correction what @p change of the load does to the iterate.
+  virtual void add_response(double change) = 0;
+
+  virtual const Displacement& displacement() const = 0; ///< of the iterate
+  virtual const Displacement& correction() const = 0;
+  virtual const Displacement& response() const = 0; ///< per load
+};
+
+/// A condition normal . u + load_normal * load = value that chooses one state of a path.
+struct Plane {
+  LoadedSystem::Displacement normal;
+  double load_normal = 0., value = 0.;
+
+  double excess(const LoadedSystem& system) const
+  {
+    return normal * system.displacement() + load_normal * system.load() - value;
+  }
+};
+
+/// A system with its load as one more unknown and a plane as one more equation. Both right-hand
+/// sides, the residual and its derivative with respect to the load, share one factorisation
+/// (theory.md, eq. 44).
+///
+/// No tangent serves twice: in a direction in which the body has lost its stiffness since, an old
+/// one blows up what rounding has left there, and the iteration ends on another path.
+class BorderedSystem final : public NonlinearSystem
+{
+public:
+  BorderedSystem(LoadedSystem& system, Plane plane) : system(system), plane(std::move(plane)) {}
+
+  ResidualReport residual() override;
+  LinearReport linear_solve(bool reuse) override;
+  void move_to(double step) override;
+
+private:
+  LoadedSystem& system;
+  Plane plane;
+  double base_load = 0., load_change = 0.;
+};
+
+/// Chooses lengths of steps along a path: they grow after easy steps, shrink after hard ones and
+/// halve after failures.
+class ArcStepper
+{
+public:
+  void start(const double first, const double smallest_step)
+  {
+    size = first;
+    smallest = smallest_step;
+  }
+  double step() const { return size; }
+  bool exhausted() const { return size < smallest; }
+  void cut_back() { size /= 2.; }
+
+  /// @p surprise: distance of the state from its guess over the length of the step.
+  void accept(unsigned int newton_iterations, double surprise, double longest);
+
+private:
+  double size = 0., smallest = 0.;
+};
+
+} // namespace thelma

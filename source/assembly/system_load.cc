@@ -1,0 +1,127 @@
+// What a change of load does to the solution of the linear system, and where it becomes singular.
+
+#include <thelma/assembly/system.h>
+#include <thelma/base/axes.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+
+namespace thelma
+{
+
+template <int dim>
+void System<dim>::set_load(const double load)
+{
+  load_factor = load;
+  prescription(load);
+}
+
+/// By central differences of the residual, which is quadratic in the potential: no formulation need
+/// know what the load is.
+template <int dim>
+void System<dim>::solve_load()
+{
+  constexpr double h = 1e-4;
+  const double load = load_factor;
+  const BlockVector kept_residual = raw_residual;
+  const std::vector<double> kept_internal = internal_residual;
+  BlockVector prescribed = layout.new_vector(), rate = layout.new_vector();
+  std::vector<double> internal_rate(internal_residual.size(), 0.);
+  std::vector<double> charge_rate(floating.charges(0.).size(), 0.);
+  for (const double side : {1., -1.}) {
+    set_load(load + side * h);
+    residual();
+    prescribed.add(side / (2. * h), state.x);
+    rate.add(side / (2. * h), raw_residual);
+    const std::vector<double> charges = floating.charges(state.charge);
+    for (std::size_t k = 0; k < charges.size(); ++k)
+      charge_rate[k] += side / (2. * h) * charges[k];
+    for (std::size_t i = 0; i < internal_rate.size(); ++i)
+      internal_rate[i] += side / (2. * h) * internal_residual[i];
+  }
+  set_load(load);
+  internal_residual = internal_rate;
+  nodal_response.zero_out_ghost_values();
+  nodal_response = rate;
+  eliminate_internal(nodal_response);
+  nodal_response *= -1.;
+  solve_tangent(nodal_response, charge_rate);
+  prescribed.zero_out_ghost_values();
+  nodal_response += prescribed; // zero where nothing is prescribed
+  recover_internal(nodal_response, internal_response);
+  raw_residual = kept_residual;
+  internal_residual = kept_internal;
+}
+
+template <int dim>
+void System<dim>::add_response(const double change)
+{
+  nodal_correction.add(change, nodal_response);
+  for (std::size_t i = 0; i < internal_correction.size(); ++i)
+    internal_correction[i] += change * internal_response[i];
+}
+
+/// Inverse iteration: with only forces on the right-hand side every solution obeys the other
+/// fields' equations.
+template <int dim>
+double System<dim>::critical_mode(BlockVector& mode)
+{
+  constexpr unsigned int most_iterations = 500;
+  constexpr double converged = 1e-20; // 1 - cos^2 of the angle between iterates
+  mode = layout.new_vector();
+  for (const auto i : mode.block(0).locally_owned_elements())
+    mode.block(0)(i) = std::sin(1. + i); // no eigenvector is without a part of it
+  conditions.constraints().set_zero(mode);
+  mode /= mode.block(0).l2_norm();
+  const std::vector<double> no_charge(floating.charges(0.).size(), 0.);
+  double eigenvalue = 0.;
+  for (unsigned int iteration = 0; iteration < most_iterations; ++iteration) {
+    BlockVector next = mode;
+    for (unsigned int b = 1; b < next.n_blocks(); ++b)
+      next.block(b) = 0.;
+    solve_tangent(next, no_charge);
+    const double product = mode.block(0) * next.block(0), square = next.block(0).norm_sqr();
+    eigenvalue = 1. / product;
+    const double change = 1. - product * product / square;
+    mode = next;
+    mode /= std::sqrt(square);
+    if (change < converged)
+      break;
+  }
+  mode *= orientation(mode) < 0. ? -1. : 1.;
+  return eigenvalue;
+}
+
+/// A linear functional without symmetries, so that the sign of a mode is the same on every mesh and
+/// any number of ranks: the moment along an oblique direction.
+template <int dim>
+double System<dim>::orientation(BlockVector& mode) const
+{
+  const double oblique[3] = {1., 0.4, 0.7};
+  double sum = 0.;
+  std::vector<double> values;
+  mode.update_ghost_values();
+  for (const Cell<dim>& cell : layout.cells()) {
+    layout.gather(cell, mode, values);
+    double arm = 1.;
+    for (int d = 0; d < dim; ++d)
+      arm += oblique[axis<dim>(d)] * cell.iterator->center()[d];
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (i % cell.n_components < dim)
+        sum += arm * oblique[axis<dim>(i % cell.n_components)] * values[i];
+  }
+  mode.zero_out_ghost_values();
+  return dealii::Utilities::MPI::sum(sum, layout.communicator());
+}
+
+template void System<2>::set_load(double);
+template void System<3>::set_load(double);
+template void System<2>::solve_load();
+template void System<3>::solve_load();
+template void System<2>::add_response(double);
+template void System<3>::add_response(double);
+template double System<2>::critical_mode(BlockVector&);
+template double System<3>::critical_mode(BlockVector&);
+
+} // namespace thelma

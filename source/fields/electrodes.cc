@@ -1,0 +1,127 @@
+#include <thelma/base/error.h>
+#include <thelma/base/parameters.h>
+#include <thelma/fields/electrodes.h>
+#include <thelma/fields/named_dofs.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+namespace thelma
+{
+
+double Electrode::own_sum(const BlockVector& x) const
+{
+  const auto owned = x.locally_owned_elements();
+  double sum = 0.;
+  for (const auto dof : dofs)
+    if (owned.is_element(dof))
+      sum += x(dof);
+  return sum;
+}
+
+template <int dim>
+void Electrodes<dim>::declare(dealii::ParameterHandler& prm)
+{
+  using namespace dealii::Patterns;
+  const Section section(prm, {"Electrodes"});
+  prm.add_parameter("Potential", driven,
+                    "Potential of each electrode as a multiple of the applied voltage, as "
+                    "`bottom: 0, top: 1`; 0 is ground.",
+                    Map(Anything(), Double(), 0, 100));
+  prm.add_parameter("Floating", floating,
+                    "Electrodes whose potential is an unknown, each with its charge as a multiple "
+                    "of the applied one, as `top: 1`; 0 is without charge.",
+                    Map(Anything(), Double(), 0, 100));
+}
+
+template <int dim>
+void Electrodes<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout)
+{
+  const std::string place = "section Electrodes, entry 'Potential'";
+  if (!layout.has(Field::potential)) {
+    if (!driven.empty() || !floating.empty())
+      throw InputError(place + ": every region is passive, so there is no potential; remove the "
+                               "electrodes or make a region active");
+    return;
+  }
+  const auto is_ground = [](const auto& electrode) { return electrode.second == 0.; };
+  if (std::none_of(driven.begin(), driven.end(), is_ground))
+    throw InputError(place + ": there is no ground electrode; give one surface the potential 0");
+  for (const auto& [name, multiple] : driven)
+    add(mesh, layout, {name, {}, multiple, 0., 0., false}, place);
+  for (const auto& [name, multiple] : floating)
+    add(mesh, layout, {name, {}, 1., multiple, 0., true}, "section Electrodes, entry 'Floating'");
+}
+
+template <int dim>
+void Electrodes<dim>::add(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
+                          Electrode electrode, const std::string& place)
+{
+  const auto dofs =
+      dofs_on(mesh, layout, electrode.name, place, layout.first_component(Field::potential));
+  if (dofs.empty())
+    throw InputError(place + ": surface '" + electrode.name +
+                     "' touches only regions without electric field");
+  electrode.dofs.assign(dofs.begin(), dofs.end());
+  for (const Electrode& other : list) {
+    const bool alike =
+        !electrode.floats && !other.floats && electrode.voltage_multiple == other.voltage_multiple;
+    const bool touches = std::any_of(other.dofs.begin(), other.dofs.end(),
+                                     [&](const auto dof) { return dofs.count(dof) > 0; });
+    if (touches && !alike)
+      throw InputError(place + ": surface '" + electrode.name +
+                       "' touches another one with a different value; prescribe one value at each "
+                       "point");
+  }
+  list.push_back(std::move(electrode));
+}
+
+template <int dim>
+Electrode& Electrodes<dim>::find(const std::string& name)
+{
+  return *std::find_if(list.begin(), list.end(),
+                       [&](const Electrode& electrode) { return electrode.name == name; });
+}
+
+template <int dim>
+const Electrode& Electrodes<dim>::named(const std::string& name, const std::string& place) const
+{
+  std::vector<std::string> known;
+  for (const Electrode& electrode : list) {
+    if (electrode.name == name)
+      return electrode;
+    known.push_back(electrode.name);
+  }
+  throw InputError(place + ": there is no electrode '" + name +
+                   "'; known: " + comma_separated(known));
+}
+
+template <int dim>
+void Electrodes<dim>::disconnect(const std::string& name, const double charge)
+{
+  Electrode& electrode = find(name);
+  electrode.floats = true;
+  electrode.kept_charge = charge;
+}
+
+template <int dim>
+void Electrodes<dim>::connect(const std::string& name)
+{
+  find(name).floats = false;
+}
+
+template <int dim>
+double potential(const Electrode& electrode, const FieldLayout<dim>& layout, const BlockVector& x)
+{
+  const auto dof = electrode.dofs.front();
+  const double own = layout.dof_handler().locally_owned_dofs().is_element(dof) ? x(dof) : 0.;
+  return dealii::Utilities::MPI::sum(own, layout.communicator());
+}
+
+template class Electrodes<2>;
+template class Electrodes<3>;
+template double potential(const Electrode&, const FieldLayout<2>&, const BlockVector&);
+template double potential(const Electrode&, const FieldLayout<3>&, const BlockVector&);
+
+} // namespace thelma

@@ -1,0 +1,379 @@
+#include <thelma/base/parameters.h>
+#include <thelma/path_following.h>
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace thelma
+{
+
+template <int dim>
+void PathFollowing<dim>::declare(dealii::ParameterHandler& prm)
+{
+  using namespace dealii::Patterns;
+  const Section section(prm, {"Stepping"});
+  prm.add_parameter("Continuation", continuation,
+                    "`load`: up to the first instability; `automatic`: from there along the arc "
+                    "length of the path, stable or not.",
+                    Selection("load|automatic"));
+  prm.add_parameter("Branch", branch,
+                    "Which path the continuation takes from the first bifurcation: the old one "
+                    "(`none`), or the new one to either side.",
+                    Selection("none|plus|minus"));
+  prm.add_parameter("Most steps", most_steps, "The continuation ends after so many.", Integer(1));
+}
+
+/// Displacements count in multiples of what the load has done so far per load.
+template <int dim>
+void PathFollowing<dim>::choose_metric()
+{
+  const double u = state.x.block(0).l2_norm(), load = state.accepted_load();
+  const double scale = u > 0. && load > 0. ? u / load : system.response().l2_norm();
+  weight = scale > 0. ? 1. / (scale * scale) : 1.;
+}
+
+template <int dim>
+double PathFollowing<dim>::distance(const BlockVector& a, const double load_a, const BlockVector& b,
+                                    const double load_b) const
+{
+  auto difference = a.block(0);
+  difference -= b.block(0);
+  return std::sqrt(weight * difference.norm_sqr() + std::pow(load_a - load_b, 2));
+}
+
+/// Arc lengths of the accepted states.
+template <int dim>
+std::vector<double> PathFollowing<dim>::places() const
+{
+  const std::vector<State::Accepted>& path = state.path();
+  std::vector<double> arc{0.};
+  for (std::size_t k = 1; k < path.size(); ++k)
+    arc.push_back(arc.back() + distance(path[k].x, path[k].load, path[k - 1].x, path[k - 1].load));
+  return arc;
+}
+
+template <int dim>
+Plane PathFollowing<dim>::across(const State::Accepted& from) const
+{
+  const double length = distance(state.x, system.load(), from.x, from.load);
+  Plane plane;
+  plane.normal = state.x.block(0);
+  plane.normal -= from.x.block(0);
+  plane.normal *= weight / length;
+  plane.normal.zero_out_ghost_values();
+  plane.load_normal = (system.load() - from.load) / length;
+  plane.value = plane.excess(system);
+  return plane;
+}
+
+template <int dim>
+Plane PathFollowing<dim>::across_load(const double load) const
+{
+  Plane plane;
+  plane.normal = state.x.block(0);
+  plane.normal = 0.;
+  plane.load_normal = 1.;
+  plane.value = load;
+  return plane;
+}
+
+/// From a lone state along its tangent.
+template <int dim>
+void PathFollowing<dim>::predict(const double step)
+{
+  if (state.path().size() > 1) {
+    const std::vector<double> arc = places();
+    system.set_load(predictor.predict_along(arc, arc.back() + step));
+    return;
+  }
+  system.residual();
+  const double change = step / std::sqrt(1. + weight * system.response().norm_sqr());
+  system.linear_solve(true);
+  system.add_response(change);
+  system.move_to(1.);
+  system.set_load(state.accepted_load() + change);
+}
+
+template <int dim>
+typename PathFollowing<dim>::Solution PathFollowing<dim>::solve(const Plane& plane)
+{
+  BorderedSystem bordered(system, plane);
+  PathState found;
+  found.report = newton.solve(bordered);
+  n_iterations += found.report.iterations;
+  n_factorisations += found.report.iterations;
+  if (!found.report.converged)
+    return {};
+  examine(plane, found);
+  return found;
+}
+
+/// Near a bifurcation noise hardly shows in the residual: the fresh tangent also corrects once
+/// more.
+template <int dim>
+void PathFollowing<dim>::examine(const Plane& plane, PathState& found)
+{
+  BorderedSystem bordered(system, plane);
+  bordered.residual();
+  found.report.negative_pivots = bordered.linear_solve(false).negative_pivots;
+  bordered.move_to(1.);
+  const ResidualReport residual = bordered.residual();
+  found.report.residuals.push_back(residual.norm);
+  found.report.min_det_F = residual.min_det_F;
+  ++found.report.iterations;
+  ++n_iterations;
+  ++n_factorisations;
+  found.load = system.load();
+  if (system.is_symmetric())
+    found.unstable_directions = system.unstable_directions(found.report.negative_pivots);
+  const auto& response = system.response();
+  found.slope = 1. / std::sqrt(1. + weight * response.norm_sqr());
+  found.slope = std::copysign(found.slope, plane.normal * response + plane.load_normal);
+}
+
+template <int dim>
+typename PathFollowing<dim>::Solution PathFollowing<dim>::advance()
+{
+  while (!stepper.exhausted()) {
+    const State::Accepted& from = state.path().back();
+    predict(stepper.step());
+    Solution found = solve(across(from));
+    const double surprise = predictor.surprise();
+    if (found && surprise < 1.) {
+      const double rest =
+          std::sqrt(weight * state.x.block(0).norm_sqr() + found->load * found->load);
+      state.accept(found->load);
+      predictor.adapt(surprise);
+      stepper.accept(found->report.iterations, surprise,
+                     std::min(0.3 * rest, largest_step / std::abs(found->slope)));
+      found->step = stepper.step();
+      return found;
+    }
+    ++n_failures;
+    state.restore();
+    system.set_load(state.accepted_load());
+    predictor.adapt(std::numeric_limits<double>::infinity());
+    stepper.cut_back();
+  }
+  return {};
+}
+
+template <int dim>
+typename PathFollowing<dim>::Solution PathFollowing<dim>::between(const double place)
+{
+  const State::Accepted &last = state.path().back(),
+                        &before = state.path()[state.path().size() - 2];
+  state.x = last.x;
+  system.set_load(last.load);
+  Plane plane = across(before);
+  system.set_load(predictor.predict_along(places(), place));
+  plane.value += plane.excess(system);
+  Solution found = solve(plane);
+  if (found)
+    found->place = place;
+  return found;
+}
+
+template <int dim>
+typename PathFollowing<dim>::Solution
+PathFollowing<dim>::locate(const double low, const double high, const double tolerance,
+                           const std::function<double(const PathState&)>& value)
+{
+  bool lost = false;
+  const auto at = [&](const double place) {
+    const Solution found = between(place);
+    lost = lost || !found;
+    return lost ? 0. : value(*found); // zero ends the search
+  };
+  const double at_low = at(low), at_high = at(high);
+  if (lost || at_low * at_high > 0.)
+    return {};
+  boost::uintmax_t evaluations = 60;
+  const auto narrow = [&](const double a, const double b) { return b - a < tolerance; };
+  const auto bracket =
+      boost::math::tools::toms748_solve(at, low, high, at_low, at_high, narrow, evaluations);
+  return lost ? Solution{} : between((bracket.first + bracket.second) / 2.);
+}
+
+/// The load differs from that of the limit point by the square of the arc length only.
+template <int dim>
+typename PathFollowing<dim>::Solution PathFollowing<dim>::locate_limit(const double low,
+                                                                       const double high)
+{
+  return locate(low, high, 1e-5, [](const PathState& found) { return found.slope; });
+}
+
+/// Where the smallest eigenvalue is zero; the count of unstable directions is its sign.
+template <int dim>
+typename PathFollowing<dim>::Solution
+PathFollowing<dim>::locate_bifurcation(const double low, const double high, const long long before)
+{
+  const Solution found = locate(low, high, 1e-8, [&](const PathState& found) {
+    const double size = std::abs(system.critical_mode(mode));
+    return found.unstable_directions == before ? size : -size;
+  });
+  if (found)
+    system.critical_mode(mode);
+  return found;
+}
+
+template <int dim>
+typename PathFollowing<dim>::Solution PathFollowing<dim>::land_on_target()
+{
+  const std::vector<State::Accepted>& path = state.path();
+  const std::vector<double> arc = places();
+  const State::Accepted &last = path.back(), &before = path[path.size() - 2];
+  const double part = (1. - before.load) / (last.load - before.load);
+  predictor.predict_along(arc, arc[arc.size() - 2] + part * (arc.back() - arc[arc.size() - 2]));
+  system.set_load(1.);
+  return solve(across_load(1.));
+}
+
+/// Intervals with several events are halved until each has one, or none can be told from another.
+template <int dim>
+typename PathFollowing<dim>::Events
+PathFollowing<dim>::report_between(const Task& task, const Place& low, const Place& high)
+{
+  constexpr double finest = 1e-4;
+  const bool turns = low.slope * high.slope < 0.;
+  const long long change = std::abs(high.unstable_directions - low.unstable_directions);
+  if (!turns && change == 0)
+    return Events::none;
+  if (change > 1 && high.arc - low.arc > finest)
+    if (const Solution half = between((low.arc + high.arc) / 2.)) {
+      const Place middle{(low.arc + high.arc) / 2., half->slope, half->unstable_directions};
+      const Events events = report_between(task, low, middle);
+      return events == Events::none ? report_between(task, middle, high) : events;
+    }
+  Solution event = turns ? locate_limit(low.arc, high.arc)
+                         : locate_bifurcation(low.arc, high.arc, low.unstable_directions);
+  if (!event)
+    return Events::none;
+  event->event = turns ? "limit point" : "bifurcation";
+  task.record(*event);
+  if (turns)
+    return task.stop_at_limit ? Events::aim : Events::none;
+  task.record_mode(mode);
+  if (branch == "none" || on_branch)
+    return Events::none;
+  start_branch(event->place);
+  return Events::new_branch;
+}
+
+/// Leaves the iterate at @p next, or at the event that changes what comes.
+template <int dim>
+typename PathFollowing<dim>::Events
+PathFollowing<dim>::report_events(const Task& task, const PathState& here, const PathState& next)
+{
+  if (here.slope * next.slope > 0. && here.unstable_directions == next.unstable_directions)
+    return Events::none;
+  const std::vector<double> arc = places();
+  const Events events =
+      report_between(task, {arc[arc.size() - 2], here.slope, here.unstable_directions},
+                     {arc.back(), next.slope, next.unstable_directions});
+  if (events == Events::none) {
+    state.restore();
+    system.set_load(state.accepted_load());
+    system.residual(); // for the reactions
+  }
+  return events;
+}
+
+/// At a bifurcation rounding decides how much of the mode a solution has. The state interpolated
+/// there has none, and the branches to both sides begin alike.
+template <int dim>
+void PathFollowing<dim>::start_branch(const double place)
+{
+  on_branch = true;
+  system.set_load(predictor.predict_along(places(), place));
+  state.start(system.load());
+}
+
+/// Step off the bifurcation along the critical mode; the load is found with the state.
+template <int dim>
+typename PathFollowing<dim>::Solution PathFollowing<dim>::switch_branch(double step)
+{
+  const double load = state.accepted_load(), sign = branch == "plus" ? 1. : -1.;
+  for (; step > 1e-6; step /= 2.) {
+    state.x.add(sign * step / std::sqrt(weight), mode);
+    state.x.update_ghost_values();
+    system.set_load(load);
+    if (Solution found = solve(across(state.path().back()))) {
+      state.accept(found->load);
+      return found;
+    }
+    ++n_failures;
+    state.restore();
+  }
+  return {};
+}
+
+template <int dim>
+PathState PathFollowing<dim>::begin(const Task& task)
+{
+  PathState here;
+  system.set_load(state.accepted_load());
+  largest_step = task.largest_step;
+  examine(across_load(system.load()), here);
+  choose_metric();
+  examine(across_load(system.load()), here); // in that metric
+  const std::vector<double> arc = places();
+  stepper.start(arc.size() > 1 ? arc.back() - arc[arc.size() - 2]
+                               : task.first_step / std::abs(here.slope),
+                1e-8);
+  return here;
+}
+
+/// Whether the path ends between @p here and @p next; then the iterate is its end.
+template <int dim>
+std::optional<typename PathFollowing<dim>::End>
+PathFollowing<dim>::finish(const Task& task, const PathState& here, const PathState& next)
+{
+  Solution last;
+  End end = End::target;
+  if (here.load < 1. && next.load >= 1.)
+    last = land_on_target();
+  else if (task.remainder && task.remainder() * remainder <= 0.) {
+    const std::vector<double> arc = places();
+    last = locate(arc[arc.size() - 2], arc.back(), 1e-10,
+                  [&](const PathState&) { return task.remainder(); });
+    end = End::observable;
+  } else if (next.load < 0.)
+    return End::no_load;
+  else
+    return {};
+  if (!last)
+    return End::lost;
+  task.record(*last);
+  return end;
+}
+
+template <int dim>
+typename PathFollowing<dim>::End PathFollowing<dim>::follow(const Task& task)
+{
+  PathState here = begin(task);
+  for (unsigned int step = 0; step < most_steps; ++step) {
+    remainder = task.remainder ? task.remainder() : 0.;
+    Solution next = advance();
+    if (!next)
+      return End::lost;
+    const Events events = report_events(task, here, *next);
+    if (events == Events::aim)
+      return End::limit_point;
+    if (events == Events::new_branch && !(next = switch_branch(stepper.step())))
+      return End::lost;
+    if (const std::optional<End> end = finish(task, here, *next))
+      return *end;
+    task.record(*next);
+    here = *next;
+  }
+  return End::most_steps;
+}
+
+template class PathFollowing<2>;
+template class PathFollowing<3>;
+
+} // namespace thelma

@@ -1,0 +1,152 @@
+// What happens once the load alone no longer leads along the path.
+
+#include <thelma/problem.h>
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+namespace thelma
+{
+
+template <int dim>
+void Problem<dim>::check_path() const
+{
+  const std::string until = "section Loading, entry 'Until'";
+  if (!path_following.is_automatic() && !loading.until().empty())
+    throw InputError(until + ": only a path that is followed ends so; set Stepping/Continuation to "
+                             "automatic, or remove the entry");
+  for (const auto& entry : loading.until())
+    results.require_column(entry.first, until);
+  if (path_following.is_automatic() && layout.is_transient())
+    throw InputError(
+        "section Stepping, entry 'Continuation': in time there is no load to be found; "
+        "choose load");
+}
+
+/// Whether a path goes on along its arc.
+template <int dim>
+bool Problem<dim>::hands_over(const Stepper& steps, const LoadSymmetry symmetry,
+                              const bool failed) const
+{
+  return path_following.is_automatic() &&
+         (failed || (symmetry == LoadSymmetry::voltage && path_following.turns_soon(steps.step())));
+}
+
+template <int dim>
+void Problem<dim>::explain_end(const Stepper& steps)
+{
+  const auto field = [&](const double load) { return loading.field(loading.voltage(load)); };
+  const double limit = state.estimated_limit();
+  const Bracket bracket{field(steps.accepted()), field(steps.failed()), field(limit)};
+  std::ostringstream between;
+  between << std::setprecision(7) << " between e = " << bracket.e_below << " and "
+          << bracket.e_above;
+
+  // At a limit point the last states themselves announce its end, not much farther away than they
+  // reach back; anything else is not a pull-in.
+  const bool turns_back =
+      limit < steps.failed() + std::max(10. * loading.resolution(), 2. * state.recent_span());
+  if (!turns_back) {
+    const bool unstable = last_failure.find("unstable") != std::string::npos;
+    outcome = failure(unstable ? "instability" : "no convergence",
+                      (unstable ? "loss of stability" : "no convergence") + between.str() + ": " +
+                          last_failure);
+    results.set_event(unstable ? "bifurcation" : "no convergence");
+    return;
+  }
+  outcome.pull_in = bracket;
+  outcome.name = "pull-in";
+  outcome.reason = "pull-in" + between.str();
+  results.set_event("pull-in");
+  if (!loading.expects_pull_in()) {
+    outcome.code = ExitCode::not_converged;
+    outcome.reason += ", before the target";
+  }
+}
+
+template <int dim>
+typename PathFollowing<dim>::Task Problem<dim>::task(const Stepper& steps)
+{
+  PathTask task;
+  task.first_step = steps.step();
+  task.largest_step = stepper.largest_step();
+  task.stop_at_limit = false;
+  task.record = [this](const PathState& found) {
+    show_floating_voltage();
+    const double e = loading.field(state.voltage);
+    results.add(
+        scene(),
+        {first_load + found.load, e, found.step, 0., found.unstable_directions, found.event},
+        found.report);
+    if (found.event == "limit point" && !outcome.pull_in)
+      outcome.pull_in = Bracket{e, e, e};
+  };
+  task.record_mode = [this](const BlockVector& mode) { results.add_mode(scene(), mode); };
+  return task;
+}
+
+template <int dim>
+typename PathFollowing<dim>::End
+Problem<dim>::follow_arc(const PathTask& task, const std::function<void(double)>& prescribe)
+{
+  system.load_by(prescribe);
+  const PathEnd end = path_following.follow(task);
+  state.accept(system.load());
+  return end;
+}
+
+template <int dim>
+void Problem<dim>::follow_load(const std::function<void(double)>& prescribe)
+{
+  PathTask voltage = task(stepper);
+  voltage.stop_at_limit = loading.expects_pull_in();
+  for (const auto& [column, value] : loading.until())
+    voltage.remainder = [this, column = column, value = value]() {
+      return results.value(scene(), column) - value;
+    };
+  explain_end(follow_arc(voltage, prescribe));
+}
+
+template <int dim>
+void Problem<dim>::explain_end(const PathEnd end)
+{
+  std::ostringstream where;
+  where << std::setprecision(8) << " at e = " << loading.field(state.voltage);
+  switch (end) {
+  case PathEnd::limit_point:
+    outcome.name = "pull-in";
+    outcome.reason = "limit point" + where.str();
+    return;
+  case PathEnd::target:
+  case PathEnd::observable:
+    if (!loading.expects_pull_in())
+      return;
+    outcome = failure("target reached", "the target was reached but a pull-in was expected");
+    outcome.code = ExitCode::expectation_failed;
+    return;
+  case PathEnd::no_load:
+    outcome = failure("no load", "the path has returned to no load");
+    return;
+  case PathEnd::most_steps:
+    outcome = failure("most steps", "the path was left after the most steps allowed" + where.str());
+    return;
+  case PathEnd::lost:
+    outcome = failure("no convergence", "the path was lost" + where.str());
+    results.set_event("no convergence");
+  }
+}
+
+#define INSTANTIATE(dim)                                                                           \
+  template void Problem<dim>::check_path() const;                                                  \
+  template bool Problem<dim>::hands_over(const Stepper&, LoadSymmetry, bool) const;                \
+  template void Problem<dim>::explain_end(const Stepper&);                                         \
+  template typename PathFollowing<dim>::Task Problem<dim>::task(const Stepper&);                   \
+  template typename PathFollowing<dim>::End Problem<dim>::follow_arc(                              \
+      const typename PathFollowing<dim>::Task&, const std::function<void(double)>&);               \
+  template void Problem<dim>::follow_load(const std::function<void(double)>&);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
+
+} // namespace thelma

@@ -1,0 +1,47 @@
+#include <thelma/solvers/continuation.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace thelma
+{
+
+ResidualReport BorderedSystem::residual()
+{
+  ResidualReport report = system.residual();
+  report.norm = std::max(report.norm, std::abs(plane.excess(system)));
+  return report;
+}
+
+LinearReport BorderedSystem::linear_solve(bool)
+{
+  base_load = system.load();
+  const LinearReport report = system.linear_solve(false);
+  if (!report.solved)
+    return report;
+  system.solve_load();
+  load_change = -(plane.excess(system) + plane.normal * system.correction()) /
+                (plane.load_normal + plane.normal * system.response());
+  system.add_response(load_change);
+  return report;
+}
+
+void BorderedSystem::move_to(const double step)
+{
+  system.move_to(step);
+  system.set_load(base_load + step * load_change);
+}
+
+void ArcStepper::accept(const unsigned int newton_iterations, const double surprise,
+                        const double longest)
+{
+  constexpr unsigned int easy = 5, hard = 9;
+  constexpr double small = 0.1, large = 0.4;
+  if (newton_iterations >= hard || surprise > large)
+    size /= 2.;
+  else if (newton_iterations <= easy && surprise < small)
+    size *= 1.5;
+  size = std::min(size, longest);
+}
+
+} // namespace thelma
