@@ -40,12 +40,14 @@ void Problem<dim>::change_electrode(const Stage& stage)
     levels.voltage =
         potential(electrode, layout, state.x) / (electrode.voltage_multiple * loading.voltage(1.));
     conditions.connect(stage.electrode);
-    return;
+  } else {
+    system.residual();
+    const double charge =
+        -dealii::Utilities::MPI::sum(electrode.own_sum(system.reactions()), layout.communicator());
+    conditions.disconnect(stage.electrode, charge - electrode.charge_multiple * state.charge);
   }
   system.residual();
-  const double charge =
-      -dealii::Utilities::MPI::sum(electrode.own_sum(system.reactions()), layout.communicator());
-  conditions.disconnect(stage.electrode, charge - electrode.charge_multiple * state.charge);
+  system.linear_solve(false); // the old tangent is bordered by other electrodes and must not serve
 }
 
 template <int dim>

@@ -3,11 +3,14 @@
     hard_cases.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
 """
 
+import math
 import tempfile
 import time
 from pathlib import Path
 
 from scene import program_and_ranks, require
+import bending_exact
+import constant_charge
 import gent_exact
 import heated_strip
 import planar_exact
@@ -27,6 +30,13 @@ def options(**entries):
 def events(curve, kind):
     """Rows of the curve with that event."""
     return [row for row, event in enumerate(curve["event"]) if event == kind]
+
+
+def exact_rotation(e, length):
+    """Degrees that sections of the bending actuator a length (mm) apart turn against each other."""
+    fields = [e * part / 20 for part in range(21)]
+    circle = list(bending_exact.circles(planar_exact.Material(), 293, fields))[-1]
+    return circle.rotation(length / 0.5)
 
 
 def require_within(what, value, reference, tolerance):
@@ -130,7 +140,174 @@ def thermal_buckling(program, folder, ranks):
             "the heated strip is not buckled")
 
 
-CASES = [pull_in_loop, snap_through, buckling_branches, thermal_buckling]
+def charge_control(program, folder, ranks):
+    """(a) The planar actuator under given charge: no limit point, the same states."""
+    case = program.run("hard/charge_control", folder, ranks=ranks)
+    curve = case.curve("e", "lambda_3", "top_charge_uC", "event")
+    material = planar_exact.Material()
+    lambda_1, field = planar_exact.curve(material, 293, curve["lambda_3"])
+    charge = 25 * planar_exact.charge_per_area(material, 293, lambda_1, curve["lambda_3"], field)
+    error = max(abs(curve["e"] - material.e(field, 293)))
+    require(error < STATE_TOLERANCE, f"a state is off by {error} in e")
+    require(max(abs(charge - curve["top_charge_uC"])) < 1e-9, "a charge is off")
+    require(not events(curve, "limit point") + events(curve, "pull-in"), "there is a limit point")
+    require(min(curve["lambda_3"]) < 0.301, f"ends at lambda_3 = {min(curve['lambda_3'])}")
+    beyond = curve["lambda_3"] < planar_exact.limit_point(material, 293).lambda_3
+    print(f"  {len(beyond)} rows, {sum(beyond)} beyond the pull-in, largest error {error:.1e} in e")
+
+
+def generator(program, folder, ranks):
+    """A generator's cycle: the voltage after relaxing at constant charge, and the energy."""
+    case = program.run("hard/generator", folder, ranks=ranks)
+    curve = case.curve("load", "top_charge_uC", "top_voltage_kV", "lambda_1", "lambda_3",
+                       "reaction_f1_N")
+    V, Q, load = curve["top_voltage_kV"], curve["top_charge_uC"], curve["load"]
+    charged, relaxed = (max(row for row, value in enumerate(load) if value <= end)
+                        for end in (2, 3))
+    _, lambda_3, exact = constant_charge.state(planar_exact.Material(), 293,
+                                               curve["lambda_1"][relaxed], Q[relaxed] / 25)
+    require(abs(Q[relaxed] / Q[charged] - 1) < 1e-9, "the floating electrode has lost charge")
+    require_within("voltage at constant charge, relaxed, in kV", V[relaxed], exact, 1e-8)
+    require_within("lambda_3 there", curve["lambda_3"][relaxed], lambda_3, 1e-8)
+    require(abs(Q[-1]) < 1e-12, f"charge {Q[-1]} uC is left")
+    electric = sum((V[1:] + V[:-1]) / 2 * (Q[1:] - Q[:-1]))
+    way, force = 5 * (curve["lambda_1"] - 1), curve["reaction_f1_N"]
+    mechanical = sum((force[1:] + force[:-1]) / 2 * (way[1:] - way[:-1]))
+    print(f"  {V[charged]:.4f} kV charged, {V[relaxed]:.4f} kV relaxed; a cycle takes "
+          f"{mechanical:.6f} mJ from the grips and gives {-electric:.6f} mJ to the source")
+    # The trapezoidal sums are off by the square of the steps.
+    require(mechanical > 0 and abs(mechanical + electric) < 2e-4 * mechanical, "energy is lost")
+
+
+def bulk_modulus(program, folder, ranks):
+    """(d) K/mu from 1e3 to 1e6: iterations per step, and convergence to incompressible."""
+    iterations, rotation = [], []
+    for bulk in (50, 500, 5000, 50000):
+        case = program.run("hard/bulk_modulus", folder, ranks=ranks, *options(
+            Materials__elastomer__Shear_modulus=0.05, Materials__elastomer__Bulk_modulus=bulk,
+            Newton__Reuse_tangent="false", Newton__Tolerance=1e-9, Stepping__Initial_step=0.1,
+            Stepping__Largest_step=0.1))
+        curve = case.curve("newton_iterations", "mid_rotation_deg")
+        iterations.append(curve["newton_iterations"])
+        rotation.append(curve["mid_rotation_deg"][-1])
+        print(f"  K/mu = {bulk / 0.05:g}: {max(iterations[-1]):g} iterations a step at most, "
+              f"rotation {rotation[-1]:.8f} degrees")
+    for other in iterations[1:]:
+        require(len(other) == len(iterations[0]), "other steps")
+        require(max(abs(other - iterations[0])) <= 2, f"iterations {other}, not {iterations[0]}")
+    changes = [abs(b - a) for a, b in zip(rotation, rotation[1:])]
+    require(all(8 < a / b < 12 for a, b in zip(changes, changes[1:])),
+            f"the changes {changes} do not fall with 1/K")
+
+
+def slender(program, folder, ranks):
+    """(e) Aspect ratios of 1:100 and 1:1000, two Q2/P1 cells through the thickness."""
+    for length, cells in ((100, 20), (1000, 80)):
+        case = program.run(
+            "hard/slender", folder, "--set", f"Observables/mid_rotation/Section={length / 2}",
+            *options(Mesh__Parameters=f"L: {length}, H: 1, n1: 2, n3: {cells}"), ranks=ranks)
+        rotation = case.curve("mid_rotation_deg")["mid_rotation_deg"][-1]
+        require_within(f"1:{length}, rotation in degrees", rotation,
+                       exact_rotation(0.1, length / 2), 1e-2)
+
+
+def distorted(program, folder, ranks):
+    """(f) Distorted cells find the homogeneous states exactly, but for selective reduction."""
+    material = planar_exact.Material()
+    for degree, formulation, tolerance in (
+            (1, "mean dilatation", 1e-9), (1, "standard", 1e-9), (1, "enhanced strain", 1e-9),
+            (2, "mean dilatation", 1e-9), (1, "selective reduced", 1e-4)):
+        case = program.run("hard/distorted", folder, ranks=ranks, *options(
+            Discretisation__Degree=degree, Discretisation__Formulation=formulation))
+        curve = case.curve("e", "lambda_3")
+        exact = planar_exact.stable_state(material, 293, material.field(curve["e"][-1], 293))[1]
+        error = abs(curve["lambda_3"][-1] - exact)
+        print(f"  {formulation}, degree {degree}: error of lambda_3 {error:.1e}")
+        require(error < tolerance, f"lambda_3 is off by {error}")
+
+
+def rolling(program, folder, ranks):
+    """(g) Rolling up by two turns."""
+    case = program.run("hard/rolling", folder, ranks=ranks)
+    curve = case.curve("mid_rotation_deg", "end_rotation_deg")
+    require(curve["end_rotation_deg"][-1] > 720, "less than two turns")
+    require_within("rotation of the middle in degrees", curve["mid_rotation_deg"][-1],
+                   exact_rotation(0.87, 12), 1e-2)
+    print(f"  end face {curve['end_rotation_deg'][-1]:.1f} degrees in "
+          f"{len(curve['end_rotation_deg'])} steps")
+
+
+def stiff_layer(program, folder, ranks):
+    """(h) A passive layer 1000 times as stiff, against Timoshenko's bimorph."""
+    case = program.run("hard/stiff_layer", folder, ranks=ranks)
+    curve = case.curve("e", "mid_rotation_deg", "newton_iterations")
+    n, strain = 1000, curve["e"][-1] ** 2 / 4
+    curvature = 24 * strain / (12 + (1 + n) * (1 + 1 / n))  # total thickness 1 mm
+    require_within("rotation in degrees", curve["mid_rotation_deg"][-1],
+                   math.degrees(10 * curvature), 1e-2)
+    print(f"  {max(curve['newton_iterations']):g} iterations a step at most")
+
+
+def heat_step(program, folder, ranks):
+    """(i) 60 K in one time step of 1e-6 to 1e3 diffusion times."""
+    for exponent in (-6, -3, 0, 3):
+        step = 1.2 * 10.0**exponent
+        case = program.run("hard/heat_step", folder, ranks=ranks,
+                           *options(Time__End=step, Time__Initial_step=step))
+        curve = case.curve("theta_min_K", "theta_max_K", "lambda_3")
+        low, high = min(curve["theta_min_K"]), max(curve["theta_max_K"])
+        print(f"  {step:g} s: {low:.6f} to {high:.6f} K, {len(curve['lambda_3'])} rows")
+        require(low > 293 - 1e-6 and high < 353 + 1e-6, "a temperature is out of range")
+
+
+def too_large_step(program, folder, ranks):
+    """(j) The whole load at once, beyond the pull-in, is cut and ends rightly."""
+    material = planar_exact.Material()
+    limit = planar_exact.limit_point(material, 293)
+    case = program.run("hard/too_large_step", folder, ranks=ranks)
+    below, above = case.pull_in()
+    curve = case.curve("e", "lambda_3")
+    exact = [planar_exact.stable_state(material, 293, min(material.field(e, 293), limit.field))[1]
+             for e in curve["e"]]
+    error = max(abs(curve["lambda_3"] - exact))
+    print(f"  pull-in between {below:.6f} and {above:.6f}, largest error of lambda_3 {error:.1e}")
+    require(below - 1e-8 <= limit.e <= above + 1e-8, f"exact pull-in {limit.e}")
+    require(error < 1e-6, f"lambda_3 is off by {error}")
+
+
+def hourglass(program, folder, ranks):
+    """(k) Hourglassing of enhanced strain is counted and refused."""
+    case = program.run("hard/hourglass", folder, ranks=ranks, exit_code=3)
+    curve = case.curve("e", "event", "unstable_directions")
+    print(f"  stable up to e = {curve['e'][-1]:.4f}")
+    require(curve["event"][-1] == "bifurcation", f"the last event is '{curve['event'][-1]}'")
+    require(not any(curve["unstable_directions"]), "an unstable state was accepted")
+    require(0.33 < curve["e"][-1] < 0.37, f"unstable from e = {curve['e'][-1]} on")
+
+
+def creasing(program, folder, ranks):
+    """(l) A bonded film's surface: the run ends where wrinkles as short as the cells appear."""
+    fields = {}
+    for formulation in ("standard", "mean dilatation"):
+        for cells in ("n1: 4, n3: 16", "n1: 8, n3: 32"):
+            case = program.run("hard/creasing", folder, ranks=ranks, exit_code=3, *options(
+                Mesh__Parameters=f"L: 4, H: 1, {cells}", Discretisation__Formulation=formulation))
+            curve = case.curve("e", "event", "unstable_directions")
+            fields.setdefault(formulation, []).append(curve["e"][-1])
+            print(f"  {formulation}, {cells}: stable up to e = {curve['e'][-1]:.4f}")
+            require(curve["event"][-1] == "bifurcation", f"last event '{curve['event'][-1]}'")
+            require(not any(curve["unstable_directions"]), "an unstable state was accepted")
+    # Short waves on an ideal dielectric half-space: e = sqrt(2).
+    coarse, fine = fields["standard"]
+    require(coarse > fine > math.sqrt(2) and fine - math.sqrt(2) < 0.5 * (coarse - math.sqrt(2)),
+            f"{coarse}, {fine} do not approach sqrt(2)")
+    # Q2/P1 has a mode of its own cells, at the same field on every mesh.
+    require(max(fields["mean dilatation"]) < 1.2, "the mode of the cells is not seen")
+
+
+CASES = [pull_in_loop, charge_control, generator, snap_through, buckling_branches, thermal_buckling,
+         bulk_modulus, slender, distorted, rolling, stiff_layer, heat_step, too_large_step,
+         hourglass, creasing]
 
 
 def main():
