@@ -1,8 +1,6 @@
 #include <thelma/base/parameters.h>
 #include <thelma/path_following.h>
 
-#include <boost/math/tools/toms748_solve.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -104,7 +102,7 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::solve(const Plane& pla
   PathState found;
   found.report = newton.solve(bordered);
   n_iterations += found.report.iterations;
-  n_factorisations += found.report.iterations;
+  n_factorisations += found.report.factorisations;
   if (!found.report.converged)
     return {};
   examine(plane, found);
@@ -162,65 +160,6 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::advance()
 }
 
 template <int dim>
-typename PathFollowing<dim>::Solution PathFollowing<dim>::between(const double place)
-{
-  const State::Accepted &last = state.path().back(),
-                        &before = state.path()[state.path().size() - 2];
-  state.x = last.x;
-  system.set_load(last.load);
-  Plane plane = across(before);
-  system.set_load(predictor.predict_along(places(), place));
-  plane.value += plane.excess(system);
-  Solution found = solve(plane);
-  if (found)
-    found->place = place;
-  return found;
-}
-
-template <int dim>
-typename PathFollowing<dim>::Solution
-PathFollowing<dim>::locate(const double low, const double high, const double tolerance,
-                           const std::function<double(const PathState&)>& value)
-{
-  bool lost = false;
-  const auto at = [&](const double place) {
-    const Solution found = between(place);
-    lost = lost || !found;
-    return lost ? 0. : value(*found); // zero ends the search
-  };
-  const double at_low = at(low), at_high = at(high);
-  if (lost || at_low * at_high > 0.)
-    return {};
-  boost::uintmax_t evaluations = 60;
-  const auto narrow = [&](const double a, const double b) { return b - a < tolerance; };
-  const auto bracket =
-      boost::math::tools::toms748_solve(at, low, high, at_low, at_high, narrow, evaluations);
-  return lost ? Solution{} : between((bracket.first + bracket.second) / 2.);
-}
-
-/// The load differs from that of the limit point by the square of the arc length only.
-template <int dim>
-typename PathFollowing<dim>::Solution PathFollowing<dim>::locate_limit(const double low,
-                                                                       const double high)
-{
-  return locate(low, high, 1e-5, [](const PathState& found) { return found.slope; });
-}
-
-/// Where the smallest eigenvalue is zero; the count of unstable directions is its sign.
-template <int dim>
-typename PathFollowing<dim>::Solution
-PathFollowing<dim>::locate_bifurcation(const double low, const double high, const long long before)
-{
-  const Solution found = locate(low, high, 1e-8, [&](const PathState& found) {
-    const double size = std::abs(system.critical_mode(mode));
-    return found.unstable_directions == before ? size : -size;
-  });
-  if (found)
-    system.critical_mode(mode);
-  return found;
-}
-
-template <int dim>
 typename PathFollowing<dim>::Solution PathFollowing<dim>::land_on_target()
 {
   const std::vector<State::Accepted>& path = state.path();
@@ -230,85 +169,6 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::land_on_target()
   predictor.predict_along(arc, arc[arc.size() - 2] + part * (arc.back() - arc[arc.size() - 2]));
   system.set_load(1.);
   return solve(across_load(1.));
-}
-
-/// Intervals with several events are halved until each has one, or none can be told from another.
-template <int dim>
-typename PathFollowing<dim>::Events
-PathFollowing<dim>::report_between(const Task& task, const Place& low, const Place& high)
-{
-  constexpr double finest = 1e-4;
-  const bool turns = low.slope * high.slope < 0.;
-  const long long change = std::abs(high.unstable_directions - low.unstable_directions);
-  if (!turns && change == 0)
-    return Events::none;
-  if (change > 1 && high.arc - low.arc > finest)
-    if (const Solution half = between((low.arc + high.arc) / 2.)) {
-      const Place middle{(low.arc + high.arc) / 2., half->slope, half->unstable_directions};
-      const Events events = report_between(task, low, middle);
-      return events == Events::none ? report_between(task, middle, high) : events;
-    }
-  Solution event = turns ? locate_limit(low.arc, high.arc)
-                         : locate_bifurcation(low.arc, high.arc, low.unstable_directions);
-  if (!event)
-    return Events::none;
-  event->event = turns ? "limit point" : "bifurcation";
-  task.record(*event);
-  if (turns)
-    return task.stop_at_limit ? Events::aim : Events::none;
-  task.record_mode(mode);
-  if (branch == "none" || on_branch)
-    return Events::none;
-  start_branch(event->place);
-  return Events::new_branch;
-}
-
-/// Leaves the iterate at @p next, or at the event that changes what comes.
-template <int dim>
-typename PathFollowing<dim>::Events
-PathFollowing<dim>::report_events(const Task& task, const PathState& here, const PathState& next)
-{
-  if (here.slope * next.slope > 0. && here.unstable_directions == next.unstable_directions)
-    return Events::none;
-  const std::vector<double> arc = places();
-  const Events events =
-      report_between(task, {arc[arc.size() - 2], here.slope, here.unstable_directions},
-                     {arc.back(), next.slope, next.unstable_directions});
-  if (events == Events::none) {
-    state.restore();
-    system.set_load(state.accepted_load());
-    system.residual(); // for the reactions
-  }
-  return events;
-}
-
-/// At a bifurcation rounding decides how much of the mode a solution has. The state interpolated
-/// there has none, and the branches to both sides begin alike.
-template <int dim>
-void PathFollowing<dim>::start_branch(const double place)
-{
-  on_branch = true;
-  system.set_load(predictor.predict_along(places(), place));
-  state.start(system.load());
-}
-
-/// Step off the bifurcation along the critical mode; the load is found with the state.
-template <int dim>
-typename PathFollowing<dim>::Solution PathFollowing<dim>::switch_branch(double step)
-{
-  const double load = state.accepted_load(), sign = branch == "plus" ? 1. : -1.;
-  for (; step > 1e-6; step /= 2.) {
-    state.x.add(sign * step / std::sqrt(weight), mode);
-    state.x.update_ghost_values();
-    system.set_load(load);
-    if (Solution found = solve(across(state.path().back()))) {
-      state.accept(found->load);
-      return found;
-    }
-    ++n_failures;
-    state.restore();
-  }
-  return {};
 }
 
 template <int dim>

@@ -46,8 +46,6 @@ void Problem<dim>::change_electrode(const Stage& stage)
         -dealii::Utilities::MPI::sum(electrode.own_sum(system.reactions()), layout.communicator());
     conditions.disconnect(stage.electrode, charge - electrode.charge_multiple * state.charge);
   }
-  system.residual();
-  system.linear_solve(false); // the old tangent is bordered by other electrodes and must not serve
 }
 
 template <int dim>

@@ -51,12 +51,19 @@ std::vector<double> FloatingElectrodes<dim>::sums(const BlockVector& x) const
 }
 
 template <int dim>
-void FloatingElectrodes<dim>::clear()
+std::vector<std::size_t> FloatingElectrodes<dim>::now_floating() const
 {
-  floating.clear();
+  std::vector<std::size_t> result;
   for (std::size_t k = 0; k < conditions.electrodes().size(); ++k)
     if (conditions.electrodes()[k].floats)
-      floating.push_back(k);
+      result.push_back(k);
+  return result;
+}
+
+template <int dim>
+void FloatingElectrodes<dim>::clear()
+{
+  floating = now_floating();
   columns.assign(floating.size(), floating.empty() ? BlockVector() : layout.new_vector());
   rows = columns;
   capacitance.reinit(floating.size(), floating.size());
@@ -66,6 +73,8 @@ template <int dim>
 void FloatingElectrodes<dim>::add(const std::size_t index, const Cell<dim>& cell,
                                   const std::vector<double>& entries)
 {
+  if (floating.empty())
+    return;
   const std::size_t n = cell.dofs.size();
   std::vector<double> column(n), row(n);
   for (std::size_t k = 0; k < floating.size(); ++k) {

@@ -48,7 +48,8 @@ void NodalHeat<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout
   block = layout.block(Field::temperature);
   for (BlockVector* v : {&capacities, &powers, &conductances, &ambient})
     *v = layout.new_vector();
-  collect_capacity(layout);
+  lump(
+      layout, [](const Cell<dim>& cell) { return cell.material->thermal.c; }, capacities);
   collect_sources(mesh, layout);
   std::set<std::string> names;
   for (const auto* entries : {&fluxes, &convections, &surroundings})
@@ -74,18 +75,23 @@ typename NodalHeat<dim>::Surface NodalHeat<dim>::properties(const std::string& n
   return {value(fluxes), value(convections), value(surroundings)};
 }
 
+/// Add to the temperature's entries of @p nodal the integrals of @p density(cell) times their shape
+/// functions, taken at the nodes.
 template <int dim>
-void NodalHeat<dim>::collect_capacity(const FieldLayout<dim>& layout)
+void NodalHeat<dim>::lump(const FieldLayout<dim>& layout,
+                          const std::function<double(const Cell<dim>&)>& density,
+                          BlockVector& nodal) const
 {
   dealii::FEValues<dim> values(layout.mapping(), layout.scalar_element(),
                                dealii::QGaussLobatto<dim>(layout.degree() + 1),
                                dealii::update_values | dealii::update_JxW_values);
   for (const Cell<dim>& cell : layout.cells()) {
     values.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell.iterator));
+    const double amount = density(cell);
     for (unsigned int a = 0; a < values.dofs_per_cell; ++a)
       for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
-        capacities(cell.dofs[(a + 1) * cell.n_components - 1]) +=
-            cell.material->thermal.c * values.JxW(q) * values.shape_value(a, q);
+        nodal(cell.dofs[(a + 1) * cell.n_components - 1]) +=
+            amount * values.JxW(q) * values.shape_value(a, q);
   }
 }
 
@@ -98,19 +104,12 @@ void NodalHeat<dim>::collect_sources(const Mesh<dim>& mesh, const FieldLayout<di
     if (std::find(regions.begin(), regions.end(), entry.first) == regions.end())
       throw InputError(place + ": the mesh has no region '" + entry.first +
                        "'; known: " + comma_separated(regions));
-  dealii::FEValues<dim> values(layout.mapping(), layout.scalar_element(),
-                               dealii::QGaussLobatto<dim>(layout.degree() + 1),
-                               dealii::update_values | dealii::update_JxW_values);
-  for (const Cell<dim>& cell : layout.cells()) {
+  const auto source = [&](const Cell<dim>& cell) {
     const auto found = sources.find(mesh.region_of(cell.iterator));
-    if (found == sources.end())
-      continue;
-    values.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell.iterator));
-    for (unsigned int a = 0; a < values.dofs_per_cell; ++a)
-      for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
-        powers(cell.dofs[(a + 1) * cell.n_components - 1]) +=
-            found->second * values.JxW(q) * values.shape_value(a, q);
-  }
+    return found == sources.end() ? 0. : found->second;
+  };
+  if (!sources.empty())
+    lump(layout, source, powers);
 }
 
 template <int dim>

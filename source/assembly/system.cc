@@ -189,7 +189,7 @@ LinearReport System<dim>::linear_solve(const bool reuse)
   base = state.x;
   internal_base = state.internal;
   LinearReport report{true, ""};
-  if (!reuse) {
+  if (!reuse || !floating.is_current()) {
     assemble_tangent();
     const auto timer = timings.measure("factorisation");
     report = solver->factorise(matrix.matrix());

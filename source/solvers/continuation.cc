@@ -13,10 +13,13 @@ ResidualReport BorderedSystem::residual()
   return report;
 }
 
+/// Always a fresh tangent, and none to be reused: where directions have lost their stiffness an old
+/// one lets rounding grow.
 LinearReport BorderedSystem::linear_solve(bool)
 {
   base_load = system.load();
-  const LinearReport report = system.linear_solve(false);
+  LinearReport report = system.linear_solve(false);
+  report.cost = 0.;
   if (!report.solved)
     return report;
   system.solve_load();

@@ -87,9 +87,10 @@ void compare_second(const Law& law, const PointState<>& state, const Scales& sca
   errors.add("deta/dtheta", ours.deta_dtheta, d_dtheta(first.eta), scale.entropy / scale.theta_0);
 }
 
-/// @p part makes of a material the law to test: Total or WithoutVolumetric.
-template <typename Part>
-void compare_every_material(const Part& part)
+/// Call @p compare(material, states, errors) at many random states of every material and parameter
+/// set.
+template <typename Compare>
+void for_each_state(const Compare& compare)
 {
   for_each_material([&](auto* type, const std::string& elastic, const std::string& dielectric) {
     for (const char* entries : parameter_sets) {
@@ -97,14 +98,22 @@ void compare_every_material(const Part& part)
       const auto material = material_with<std::remove_pointer_t<decltype(type)>>(entries);
       RandomStates states;
       WorstErrors errors;
-      for (unsigned int n = 0; n < n_states; ++n) {
-        const PointState<> state = states.next(*material);
-        const Scales scale(*material, state.theta);
-        compare_first(part(*material), state, scale, errors);
-        compare_second(part(*material), state, scale, errors);
-      }
+      for (unsigned int n = 0; n < n_states; ++n)
+        compare(*material, states, errors);
       errors.expect_below(tolerance);
     }
+  });
+}
+
+/// @p part makes of a material the law to test: Total or WithoutVolumetric.
+template <typename Part>
+void compare_every_material(const Part& part)
+{
+  for_each_state([&](const auto& material, RandomStates& states, WorstErrors& errors) {
+    const PointState<> state = states.next(material);
+    const Scales scale(material, state.theta);
+    compare_first(part(material), state, scale, errors);
+    compare_second(part(material), state, scale, errors);
   });
 }
 
@@ -147,24 +156,15 @@ void compare_entropy_rate(const Law& law, const EntropyRate& ours, const PointSt
 
 TEST(MaterialsOracle, EntropyRate)
 {
-  for_each_material([&](auto* type, const std::string& elastic, const std::string& dielectric) {
-    for (const char* entries : parameter_sets) {
-      SCOPED_TRACE(testing::Message() << elastic << " with " << dielectric << ", " << entries);
-      const auto material = material_with<std::remove_pointer_t<decltype(type)>>(entries);
-      RandomStates states;
-      WorstErrors errors;
-      for (unsigned int n = 0; n < n_states; ++n) {
-        const PointState<> state = states.next(*material);
-        const Scales scale(*material, state.theta);
-        const PointRates rates{states.deformation(), states.next(*material).E};
-        EntropyRate part;
-        material->add_entropy_rate(state, rates, part);
-        compare_entropy_rate(without_volumetric(*material), part, state, rates, scale, errors);
-        add_volumetric_entropy_rate(material->thermal, state, rates, part);
-        compare_entropy_rate(total(*material), part, state, rates, scale, errors);
-      }
-      errors.expect_below(tolerance);
-    }
+  for_each_state([](const auto& material, RandomStates& states, WorstErrors& errors) {
+    const PointState<> state = states.next(material);
+    const Scales scale(material, state.theta);
+    const PointRates rates{states.deformation(), states.next(material).E};
+    EntropyRate part;
+    material.add_entropy_rate(state, rates, part);
+    compare_entropy_rate(without_volumetric(material), part, state, rates, scale, errors);
+    add_volumetric_entropy_rate(material.thermal, state, rates, part);
+    compare_entropy_rate(total(material), part, state, rates, scale, errors);
   });
 }
 

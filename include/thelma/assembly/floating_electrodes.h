@@ -38,6 +38,9 @@ public:
   void add(std::size_t index, const Cell<dim>& cell, const std::vector<double>& entries);
   void finish(Mumps& solver);
 
+  /// Whether the border is that of the electrodes that float now.
+  bool is_current() const { return floating == now_floating(); }
+
   /// Complete the correction @p x at held potentials, so that the sum of the correction's nodal
   /// charges over each electrode is that of @p right_side.
   void correct(const std::vector<double>& right_side, BlockVector& x) const;
@@ -46,6 +49,8 @@ public:
   long long negative_pivots() const;
 
 private:
+  std::vector<std::size_t> now_floating() const;
+
   using Touch = std::pair<std::size_t, std::size_t>; ///< electrode, local unknown
 
   const FieldLayout<dim>& layout;

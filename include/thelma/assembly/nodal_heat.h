@@ -3,6 +3,7 @@
 #include <thelma/assembly/tangent_matrix.h>
 #include <thelma/fields/state.h>
 
+#include <functional>
 #include <map>
 #include <string>
 
@@ -47,7 +48,8 @@ private:
     double flux = 0., convection = 0., ambient = 0.;
   };
 
-  void collect_capacity(const FieldLayout<dim>& layout);
+  void lump(const FieldLayout<dim>& layout, const std::function<double(const Cell<dim>&)>& density,
+            BlockVector& nodal) const;
   void collect_sources(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
   void collect_surface(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
                        const std::string& name, const Surface& surface);

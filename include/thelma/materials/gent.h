@@ -1,7 +1,6 @@
 #pragma once
 
-#include <thelma/materials/point.h>
-#include <thelma/materials/temperature_law.h>
+#include <thelma/materials/shear_law.h>
 
 #include <limits>
 
@@ -12,7 +11,7 @@ namespace thelma
 ///   W = -mu(theta)/2 (J_m ln(1 - (F : F - 3)/J_m) + 2 ln J),   W_F = mu (a F - F^{-T}),
 ///   a = J_m/(J_m - F : F + 3).
 /// It stiffens beyond all bounds as F : F - 3 approaches J_m and is neo-Hookean as J_m grows.
-class Gent
+class Gent : public ShearLaw<Gent>
 {
 public:
   static constexpr const char* name = "Gent";
@@ -25,27 +24,17 @@ public:
                       dealii::Patterns::Double(1e-12));
   }
 
-  double shear_modulus(const double theta) const { return mu.value(theta); }
-
   template <typename Number>
-  Number W(const Tensor3<2, Number>& F, const Number& J, const Number& theta) const
+  Number invariant(const Tensor3<2, Number>& F, const Number& J) const
   {
-    return mu.value(theta) / 2. * invariant(F, J);
+    using std::log;
+    return J_m * log(stiffening(F)) - 2. * log(J);
   }
 
   template <typename Number>
-  ElasticDerivatives<Number> first(const Tensor3<2, Number>& F, const Kinematics<Number>& kin,
-                                   const Number& theta) const
+  Tensor3<2, Number> half_gradient(const Tensor3<2, Number>& F, const Kinematics<Number>& kin) const
   {
-    const Number I = invariant(F, kin.J);
-    const Tensor3<2, Number> I_F = stiffening(F) * F - kin.G;
-    ElasticDerivatives<Number> d;
-    d.W = mu.value(theta) / 2. * I;
-    d.W_theta = mu.slope(theta) / 2. * I;
-    d.W_thetatheta = mu.curvature(theta) / 2. * I;
-    d.W_F = mu.value(theta) * I_F;
-    d.W_Ftheta = mu.slope(theta) * I_F;
-    return d;
+    return stiffening(F) * F - kin.G;
   }
 
   /// dW_iJ/dF_kL = mu (a d_ik d_JL + 2 a^2/J_m F_iJ F_kL + G_iL G_kJ).
@@ -74,14 +63,6 @@ private:
     return left > 0. ? Number(J_m / left) : Number(std::numeric_limits<double>::quiet_NaN());
   }
 
-  template <typename Number>
-  Number invariant(const Tensor3<2, Number>& F, const Number& J) const
-  {
-    using std::log;
-    return J_m * log(stiffening(F)) - 2. * log(J);
-  }
-
-  TemperatureLaw mu{paper_shear_modulus()};
   double J_m = 100.;
 };
 

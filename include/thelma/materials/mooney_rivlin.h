@@ -1,7 +1,6 @@
 #pragma once
 
-#include <thelma/materials/point.h>
-#include <thelma/materials/temperature_law.h>
+#include <thelma/materials/shear_law.h>
 
 namespace thelma
 {
@@ -10,7 +9,7 @@ namespace thelma
 ///   W = mu(theta)/2 ((1 - m) (I_1 - 3) + m (I_2 - 3) - 2 (1 + m) ln J),
 ///   W_F = mu ((1 - m) F + m (I_1 F - F C) - (1 + m) F^{-T}),
 /// with the invariants I_1, I_2 of C = F^T F and the share m of the second one in the modulus.
-class MooneyRivlin
+class MooneyRivlin : public ShearLaw<MooneyRivlin>
 {
 public:
   static constexpr const char* name = "Mooney-Rivlin";
@@ -24,28 +23,20 @@ public:
                       dealii::Patterns::Double(0., 1.));
   }
 
-  double shear_modulus(const double theta) const { return mu.value(theta); }
-
   template <typename Number>
-  Number W(const Tensor3<2, Number>& F, const Number& J, const Number& theta) const
+  Number invariant(const Tensor3<2, Number>& F, const Number& J) const
   {
-    return mu.value(theta) / 2. * invariant(F, J);
+    using std::log;
+    const Tensor3<2, Number> C = dealii::transpose(F) * F;
+    const Number I_1 = contract(F, F), I_2 = (I_1 * I_1 - contract(C, C)) / 2.;
+    return (1. - m) * (I_1 - 3.) + m * (I_2 - 3.) - 2. * (1. + m) * log(J);
   }
 
   template <typename Number>
-  ElasticDerivatives<Number> first(const Tensor3<2, Number>& F, const Kinematics<Number>& kin,
-                                   const Number& theta) const
+  Tensor3<2, Number> half_gradient(const Tensor3<2, Number>& F, const Kinematics<Number>& kin) const
   {
-    const Number I = invariant(F, kin.J);
     const Tensor3<2, Number> FC = F * (dealii::transpose(F) * F);
-    const Tensor3<2, Number> I_F = (1. - m + m * contract(F, F)) * F - m * FC - (1. + m) * kin.G;
-    ElasticDerivatives<Number> d;
-    d.W = mu.value(theta) / 2. * I;
-    d.W_theta = mu.slope(theta) / 2. * I;
-    d.W_thetatheta = mu.curvature(theta) / 2. * I;
-    d.W_F = mu.value(theta) * I_F;
-    d.W_Ftheta = mu.slope(theta) * I_F;
-    return d;
+    return (1. - m + m * contract(F, F)) * F - m * FC - (1. + m) * kin.G;
   }
 
   /// dW_iJ/dF_kL = mu ((1 - m + m I_1) d_ik d_JL + (1 + m) G_iL G_kJ
@@ -75,16 +66,6 @@ public:
   }
 
 private:
-  template <typename Number>
-  Number invariant(const Tensor3<2, Number>& F, const Number& J) const
-  {
-    using std::log;
-    const Tensor3<2, Number> C = dealii::transpose(F) * F;
-    const Number I_1 = contract(F, F), I_2 = (I_1 * I_1 - contract(C, C)) / 2.;
-    return (1. - m) * (I_1 - 3.) + m * (I_2 - 3.) - 2. * (1. + m) * log(J);
-  }
-
-  TemperatureLaw mu{paper_shear_modulus()};
   double m = 0.2;
 };
 

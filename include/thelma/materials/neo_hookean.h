@@ -1,7 +1,6 @@
 #pragma once
 
-#include <thelma/materials/point.h>
-#include <thelma/materials/temperature_law.h>
+#include <thelma/materials/shear_law.h>
 
 namespace thelma
 {
@@ -9,7 +8,7 @@ namespace thelma
 /// Compressible neo-Hookean, without its volumetric energy (theory.md, eq. 5):
 ///   W = mu(theta)/2 (F : F - 3 - 2 ln J),   W_F = mu (F - F^{-T}).
 /// The modulus is a TemperatureLaw in MPa.
-class NeoHookean
+class NeoHookean : public ShearLaw<NeoHookean>
 {
 public:
   static constexpr const char* name = "neo-Hookean";
@@ -19,29 +18,17 @@ public:
     mu.declare(prm, "Shear modulus", "mu(theta), MPa.");
   }
 
-  /// Shear modulus of the undeformed material in MPa.
-  double shear_modulus(const double theta) const { return mu.value(theta); }
-
   template <typename Number>
-  Number W(const Tensor3<2, Number>& F, const Number& J, const Number& theta) const
+  Number invariant(const Tensor3<2, Number>& F, const Number& J) const
   {
     using std::log;
-    return mu.value(theta) / 2. * (contract(F, F) - 3. - 2. * log(J));
+    return contract(F, F) - 3. - 2. * log(J);
   }
 
   template <typename Number>
-  ElasticDerivatives<Number> first(const Tensor3<2, Number>& F, const Kinematics<Number>& kin,
-                                   const Number& theta) const
+  Tensor3<2, Number> half_gradient(const Tensor3<2, Number>& F, const Kinematics<Number>& kin) const
   {
-    using std::log;
-    const Number invariant = contract(F, F) - 3. - 2. * log(kin.J);
-    ElasticDerivatives<Number> d;
-    d.W = mu.value(theta) / 2. * invariant;
-    d.W_theta = mu.slope(theta) / 2. * invariant;
-    d.W_thetatheta = mu.curvature(theta) / 2. * invariant;
-    d.W_F = mu.value(theta) * (F - kin.G);
-    d.W_Ftheta = mu.slope(theta) * (F - kin.G);
-    return d;
+    return F - kin.G;
   }
 
   /// W_FF = mu (I + F^{-T} x F^{-T}), dW_iJ/dF_kL = mu (d_ik d_JL + G_iL G_kJ).
@@ -60,9 +47,6 @@ public:
       }
     return W_FF;
   }
-
-private:
-  TemperatureLaw mu{paper_shear_modulus()};
 };
 
 } // namespace thelma
