@@ -110,15 +110,20 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::solve(const Plane& pla
 }
 
 /// Near a bifurcation noise hardly shows in the residual: the fresh tangent also corrects once
-/// more.
+/// more, unless it is so near that this itself makes noise.
 template <int dim>
 void PathFollowing<dim>::examine(const Plane& plane, PathState& found)
 {
+  constexpr double noise = 10.; // more than rounding changes a residual
   BorderedSystem bordered(system, plane);
-  bordered.residual();
+  const double before = bordered.residual().norm;
   found.report.negative_pivots = bordered.linear_solve(false).negative_pivots;
   bordered.move_to(1.);
-  const ResidualReport residual = bordered.residual();
+  ResidualReport residual = bordered.residual();
+  if (residual.norm > noise * before) {
+    bordered.move_to(0.);
+    residual = bordered.residual();
+  }
   found.report.residuals.push_back(residual.norm);
   found.report.min_det_F = residual.min_det_F;
   ++found.report.iterations;

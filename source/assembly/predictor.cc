@@ -93,7 +93,7 @@ void Predictor<dim>::factorise()
     matrix.add(index, cell, entries);
   }
   matrix.finish();
-  laplacian = std::make_unique<Mumps>(layout.communicator(), true);
+  laplacian = std::make_unique<Mumps>(layout.communicator(), true, Mumps::Ordering::quick);
   laplacian->factorise(matrix.matrix());
 }
 

@@ -188,13 +188,14 @@ LinearReport System<dim>::linear_solve(const bool reuse)
 {
   base = state.x;
   internal_base = state.internal;
-  LinearReport report{true, ""};
+  LinearReport report{true, "", false, 0, tangent_cost};
   if (!reuse || !floating.is_current()) {
     assemble_tangent();
     const auto timer = timings.measure("factorisation");
     report = solver->factorise(matrix.matrix());
     if (!report.solved)
       return report;
+    tangent_cost = report.cost;
     floating.finish(*solver);
     report.negative_pivots += floating.negative_pivots();
   }

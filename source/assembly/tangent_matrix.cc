@@ -12,6 +12,57 @@
 
 namespace thelma
 {
+namespace
+{
+
+using BlockMatrix = dealii::TrilinosWrappers::BlockSparseMatrix;
+
+/// Where the entries of a cell stand in the matrix; Trilinos' own numbers are looked up once a
+/// cell.
+class CellColumns
+{
+public:
+  CellColumns(const BlockMatrix& matrix, const std::vector<dealii::types::global_dof_index>& dofs,
+              const std::vector<unsigned int>& block)
+      : matrix(matrix), block(block), ids(matrix.n_block_rows())
+  {
+    for (const auto dof : dofs)
+      indices.push_back(matrix.get_row_indices().global_to_local(dof).second);
+    for (unsigned int b = 0; b < ids.size(); ++b)
+      for (std::size_t j = 0; j < dofs.size(); ++j)
+        ids[b].push_back(matrix.block(b, block[j]).trilinos_matrix().LCID(indices[j]));
+  }
+
+  /// Write the @p places of the entries in row @p i from the @p starts of its blocks' values.
+  void find(const std::size_t i, const std::vector<unsigned int>& coupled, double* const* starts,
+            int* places) const
+  {
+    struct Row {
+      int n = 0;
+      double* values = nullptr;
+      int* columns = nullptr;
+    };
+    std::vector<Row> rows(ids.size());
+    for (unsigned int b = 0; b < rows.size(); ++b) {
+      const Epetra_CrsMatrix& part = matrix.block(block[i], b).trilinos_matrix();
+      part.ExtractMyRowView(part.LRID(indices[i]), rows[b].n, rows[b].values, rows[b].columns);
+    }
+    for (const unsigned int j : coupled) {
+      const Row& row = rows[block[j]];
+      // Epetra sorts the columns of a matrix that is complete.
+      const int* found = std::lower_bound(row.columns, row.columns + row.n, ids[block[i]][j]);
+      places[j] = static_cast<int>(row.values + (found - row.columns) - starts[block[j]]);
+    }
+  }
+
+private:
+  const BlockMatrix& matrix;
+  const std::vector<unsigned int>& block;
+  std::vector<int> indices;          ///< of the cell's unknowns in their blocks
+  std::vector<std::vector<int>> ids; ///< [block of the row][unknown of the cell]
+};
+
+} // namespace
 
 template <int dim>
 void TangentMatrix<dim>::setup(const FieldLayout<dim>& layout,
@@ -123,12 +174,15 @@ void TangentMatrix<dim>::find_positions(const FieldLayout<dim>& layout)
       block[i] = layout.block_of_dof(cell.dofs[i]);
     std::vector<int> place(n * n, skipped);
     const std::vector<bool> is_free = free_unknowns(cell);
+    const CellColumns local(tangent, cell.dofs, block);
     for (std::size_t i = 0; i < n; ++i) {
       const bool own = owned.is_element(cell.dofs[i]);
-      for (const unsigned int j : columns(cell, i, is_free))
-        place[i * n + j] = own ? static_cast<int>(entry(cell.dofs[i], cell.dofs[j]) -
-                                                  block_values[block[i] * n_blocks + block[j]])
-                               : elsewhere;
+      const std::vector<unsigned int> coupled = columns(cell, i, is_free);
+      if (own)
+        local.find(i, coupled, block_values.data() + block[i] * n_blocks, place.data() + i * n);
+      else
+        for (const unsigned int j : coupled)
+          place[i * n + j] = elsewhere;
       if (own && place[i * n + i] == skipped)
         diagonals.insert(entry(cell.dofs[i], cell.dofs[i]));
     }

@@ -38,7 +38,8 @@ void for_each_entry(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix, c
 
 } // namespace
 
-Mumps::Mumps(const MPI_Comm comm, const bool symmetric) : comm(comm), mumps()
+Mumps::Mumps(const MPI_Comm comm, const bool symmetric, const Ordering ordering)
+    : comm(comm), mumps()
 {
   mumps.comm_fortran = MPI_Comm_c2f(comm);
   mumps.par = 1;
@@ -46,11 +47,15 @@ Mumps::Mumps(const MPI_Comm comm, const bool symmetric) : comm(comm), mumps()
   run(initialise);
   mumps.icntl[0] = mumps.icntl[1] = mumps.icntl[2] = -1; // no messages
   mumps.icntl[3] = 0;
-  mumps.icntl[6] = 4;   // PORD, the best ordering in Debian's MUMPS
+  mumps.icntl[6] = ordering == Ordering::small_factor ? 4 : 2; // PORD, AMF
+  if (symmetric)
+    mumps.icntl[7] = 0; // no scaling: the units of the fields already balance the tangent
   mumps.icntl[12] = 1;  // no ScaLAPACK root, whose pivots are not counted
   mumps.icntl[13] = 50; // per cent of extra workspace for pivoting
-  mumps.icntl[17] = 3;  // every rank brings its own entries
-  mumps.icntl[27] = 1;  // sequential analysis
+  mumps.icntl[17] = dealii::Utilities::MPI::n_mpi_processes(comm) > 1
+                        ? 3
+                        : 0; // every rank brings its own entries
+  mumps.icntl[27] = 1;       // sequential analysis
 }
 
 Mumps::~Mumps()
@@ -78,10 +83,10 @@ void Mumps::collect_pattern(const dealii::TrilinosWrappers::BlockSparseMatrix& m
   });
   values.resize(rows.size());
   mumps.n = matrix.m();
-  mumps.nnz_loc = rows.size();
-  mumps.irn_loc = rows.data();
-  mumps.jcn_loc = columns.data();
-  mumps.a_loc = values.data();
+  mumps.nnz_loc = mumps.nnz = rows.size();
+  mumps.irn_loc = mumps.irn = rows.data();
+  mumps.jcn_loc = mumps.jcn = columns.data();
+  mumps.a_loc = mumps.a = values.data();
 }
 
 LinearReport Mumps::factorise(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix)
@@ -111,7 +116,7 @@ LinearReport Mumps::outcome() const
     // Assembly and factorisation against residual and back substitution, fitted to systems of 400
     // to 23 000 unknowns: 2 for small ones, 10 at 8 million entries of the factor.
     const double entries = mumps.infog[28] > 0 ? mumps.infog[28] : -1e6 * mumps.infog[28];
-    return {true, "", mumps.infog[11], 2. + mumps.rinfog[0] / (72. * entries)};
+    return {true, "", true, mumps.infog[11], 2. + mumps.rinfog[0] / (72. * entries)};
   }
   return {false, code == -10 ? "the tangent is singular"
                              : "MUMPS failed with INFOG(1) = " + std::to_string(code) +

@@ -23,11 +23,21 @@ void Newton::declare(dealii::ParameterHandler& prm)
                     Integer(1, 1000));
 }
 
-bool Newton::worth_reusing(const double residual, const double contraction, const double cost) const
+/// The first correction by a new tangent does not tell how well it will serve the next. Near the
+/// solution that is tried once, if a tangent comes dear; farther off an old tangent may lead astray
+/// in soft directions, which the residual shows late: it falls by turns in stiff and in soft ones,
+/// so that two corrections tell its rate.
+bool Newton::worth_reusing(const NewtonReport& report, const LinearReport& linear) const
 {
-  constexpr double steady = 0.5;
-  return reuses && contraction < steady &&
-         std::log(residual / tolerance) < cost * std::log(1. / contraction);
+  constexpr double steady = 0.5, near = 3e-4, dear = 2.5;
+  if (!reuses)
+    return false;
+  const auto r = report.residuals.rbegin();
+  const bool tries = r[0] < near && report.factorisations <= 1 && linear.cost > dear;
+  if (tries && linear.factorised)
+    return true;
+  const double rate = tries && report.residuals.size() > 2 ? std::sqrt(r[0] / r[2]) : r[0] / r[1];
+  return rate < steady && std::log(r[0] / tolerance) < linear.cost * std::log(1. / rate);
 }
 
 NewtonReport Newton::solve(NonlinearSystem& system, bool reuse) const
@@ -45,18 +55,15 @@ NewtonReport Newton::solve(NonlinearSystem& system, bool reuse) const
   if (!residual.admissible())
     return fail("det F <= 0 at the predicted state");
 
-  double cost = 1.;
   while (!report.converged) {
     if (report.iterations == max_iterations)
       return fail("no convergence in " + std::to_string(max_iterations) + " iterations");
     const LinearReport linear = system.linear_solve(reuse);
     if (!linear.solved)
       return fail(linear.reason);
-    if (!reuse) {
+    if (linear.factorised) {
       report.negative_pivots = linear.negative_pivots;
       ++report.factorisations;
-      report.reused = false;
-      cost = linear.cost;
     }
 
     double step = 1.;
@@ -69,10 +76,9 @@ NewtonReport Newton::solve(NonlinearSystem& system, bool reuse) const
         break;
     }
     ++report.iterations;
-    report.reused = report.reused || reuse;
-    reuse =
-        step == 1. && worth_reusing(residual.norm, residual.norm / report.residuals.back(), cost);
+    report.reused = !linear.factorised;
     report.residuals.push_back(residual.norm);
+    reuse = step == 1. && worth_reusing(report, linear);
     report.min_det_F = residual.min_det_F;
     if (residual.norm > divergence)
       return fail("the residual diverges");

@@ -188,9 +188,7 @@ TEST_P(Tangent, ResidualIsTheSlopeOfTheEnergy)
 }
 
 /// Along a whole curve, towards the pull-in at 25.91 kV: the last residuals of each step obey
-/// r_(n+1) <= C r_n^2 down to round-off, with one C for all. The residual of the condensed pressure
-/// answers to the square of a correction with the bulk modulus, so C is K/mu, or 1000, times a
-/// number near 1. (With selective reduction it grows with the softening squared, to 1e4.)
+/// r_(n+1) <= C r_n^2 down to round-off, with one C for all.
 TEST(NewtonAlongACurve, ResidualsFallQuadraticallyInEveryStep)
 {
   TestScene<3> scene("subsection Mesh\n set File = meshes/box.geo\nend\n"

@@ -126,6 +126,7 @@ private:
   std::unique_ptr<Mumps> solver;
   std::vector<double> scales; ///< per block
   double volume = 0.;         ///< mm^dim
+  double tangent_cost = 1.;   ///< of the last one, LinearReport::cost
   int unstable_inside = 0;    ///< directions in all cells, at the last tangent
   BlockVector raw_residual, loads, base, nodal_correction, nodal_response;
   std::vector<double> internal_base, internal_correction, internal_response;

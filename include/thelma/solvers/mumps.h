@@ -17,8 +17,11 @@ namespace thelma
 class Mumps
 {
 public:
+  /// In which order unknowns are eliminated: the best there is, or one that is found at once.
+  enum class Ordering { small_factor, quick };
+
   /// @p symmetric: LDL^T of a symmetric indefinite matrix, otherwise LU.
-  Mumps(MPI_Comm comm, bool symmetric);
+  Mumps(MPI_Comm comm, bool symmetric, Ordering ordering = Ordering::small_factor);
   ~Mumps();
   Mumps(const Mumps&) = delete;
   Mumps& operator=(const Mumps&) = delete;

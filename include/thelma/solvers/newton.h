@@ -19,8 +19,9 @@ struct ResidualReport {
 struct LinearReport {
   bool solved;
   std::string reason;            ///< why not
+  bool factorised = false;       ///< a new tangent
   long long negative_pivots = 0; ///< of a symmetric factorisation
-  double cost = 1.; ///< of this tangent, in iterations that reuse one; a count, not a time
+  double cost = 1.; ///< of a new tangent, in iterations that reuse one; a count, not a time
 };
 
 /// What Newton's method needs to know of a nonlinear system.
@@ -69,7 +70,7 @@ public:
   NewtonReport solve(NonlinearSystem& system, bool reuse = false) const;
 
 private:
-  bool worth_reusing(double residual, double contraction, double cost) const;
+  bool worth_reusing(const NewtonReport& report, const LinearReport& linear) const;
 
   double tolerance = 1e-10;
   bool reuses = true;
