@@ -3,13 +3,14 @@
 Usage: heated_bending.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
 """
 
-import json
 import math
+import subprocess
 import tempfile
 from pathlib import Path
 
 from bending_reference import exact_mid_rotation
 from scene import program_and_ranks, require
+import accuracy_steps
 
 MISSING = ["ledger_energy_missing_mJ", "ledger_entropy_missing_mJ_per_K"]
 STOCK = ["ledger_heat_mJ", "ledger_entropy_mJ_per_K"]
@@ -61,32 +62,20 @@ def check_balance(program, folder):
                 require(min(orders) > order - 0.2, f"order {min(orders):.2f} is not {order}")
 
 
-def per_step(case, folder, transient):
-    """Seconds and factorisations of a step; of a transient run without those that bend it first."""
-    curve = case.curve("seconds", *(["time_s"] if transient else []))
-    report = json.loads((folder / "run.json").read_text())
-    first = sum(t == 0 for t in curve["time_s"]) - 1 if transient else 0
-    steps = len(curve["seconds"]) - 1 - first
-    return ((curve["seconds"][-1] - curve["seconds"][first]) / steps,
-            report["factorisations"] / steps, steps)
-
-
 def check_cost(program, folder):
     """A step in time on the paper's mesh against one of the isothermal curve. Seconds are printed,
     factorisations of displacement and potential checked, since those of the temperature are small
     (one a step)."""
-    still = per_step(program.run("bending_actuator", folder, "--set", "Output/Fields=none"), folder,
-                     False)
-    moving = per_step(program.run(
-        "bending_actuator", folder, "--set", "Output/Fields=none",
-        "--set", "Temperature/Value=293", "--set", "Loading/Control=voltage",
-        "--set", "Loading/Target=9.0798", "--set", "Temperature/Model=transient",
-        "--set", "Temperature/Fixed=back: 353", "--set", "Time/End=40",
-        "--set", "Time/Initial step=0.001", "--set", "Time/Tolerance=0.02"), folder, True)
-    print(f"paper's mesh: {moving[2]} steps in time of {moving[0]:.4f} s against {still[2]} isothermal "
-          f"ones of {still[0]:.4f} s, ratio {moving[0] / still[0]:.2f}; factorisations a step "
-          f"{moving[1] - 1:.2f} and {still[1]:.2f}")
-    require(moving[1] - 1 < 1.5 * still[1], "a step in time takes too many factorisations")
+    rows = []
+    for name in accuracy_steps.SETTINGS:
+        command = program.command(accuracy_steps.arguments(name, folder), 1)
+        subprocess.run(command, cwd=program.source, stdout=subprocess.DEVNULL, check=True)
+        rows.append(accuracy_steps.measured(name, folder))
+    still, moving = (row.factorisations / row.steps for row in rows)
+    print(f"paper's mesh: {rows[1].steps} steps in time of {rows[1].value:.4f} s against "
+          f"{rows[0].steps} isothermal ones of {rows[0].value:.4f} s, ratio "
+          f"{accuracy_steps.ratio(rows):.2f}; factorisations a step {moving - 1:.2f} and {still:.2f}")
+    require(moving - 1 < accuracy_steps.MOST * still, "a step in time takes too many factorisations")
 
 
 def main():
