@@ -76,6 +76,8 @@ void Problem<dim>::setup()
   state.x = layout.new_vector();
   if (layout.has(Field::temperature))
     state.x.block(layout.block(Field::temperature)) = theta_start;
+  if (path_following.is_automatic())
+    system.require_inertia();
   system.setup(layout.is_transient() ? Solved::deformation : Solved::all);
   transient.setup(system, loading.voltage(1.), theta);
   predictor.setup(system.element());
@@ -87,6 +89,7 @@ void Problem<dim>::setup()
 
   outcome.modelled = layout.summary();
   outcome.modelled.push_back(loading.description());
+  outcome.modelled.push_back(system.solver_description());
   if (layout.is_transient())
     for (const std::string& line : transient.summary())
       outcome.modelled.push_back(line);
@@ -166,6 +169,7 @@ bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
     }
     outcome.newton_iterations += report.iterations;
     outcome.factorisations += report.factorisations;
+    outcome.linear_iterations += report.linear_iterations;
     if (!report.converged) {
       ++outcome.failed_steps;
       last_failure = report.reason;
@@ -189,7 +193,7 @@ bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
 template <int dim>
 long long Problem<dim>::unstable_directions(const NewtonReport& report) const
 {
-  return system.is_symmetric() ? system.unstable_directions(report.negative_pivots) : 0;
+  return system.knows_stability() ? system.unstable_directions(report.negative_pivots) : 0;
 }
 
 /// A converged state counts only if it is stable, unless the scene says otherwise.
