@@ -14,7 +14,8 @@ void System<dim>::make_solver()
   for (const Field field : layout.fields())
     unknowns += layout.n_dofs(field);
   choice = choose_linear_solver(
-      linear_settings, {dim, unknowns, formulation->n_kept_pressures() > 0, needs_inertia});
+      linear_settings,
+      {dim, unknowns, formulation->n_kept_pressures() > 0 && is_symmetric(), needs_inertia});
   if (solved == Solved::temperature)
     choice = {"direct", "the temperature alone is small"};
   solver = linear_solvers().create(choice.solver);

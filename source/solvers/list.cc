@@ -41,8 +41,10 @@ LinearChoice choose_linear_solver(const LinearSettings& settings, const LinearPr
   const std::string count = std::to_string(size.unknowns) + " unknowns";
   const bool block_works = size.pressures_can_be_kept;
   if (settings.solver == "block" && !block_works)
-    throw InputError("section Linear solver, entry 'Solver': 'block' needs element pressures; set "
-                     "Discretisation/Formulation = mean dilatation, or Solver = direct");
+    throw InputError(
+        "section Linear solver, entry 'Solver': 'block' needs element pressures and no "
+        "temperature solved for with them; set Discretisation/Formulation = mean "
+        "dilatation and a uniform or staggered temperature, or Solver = direct");
   if (settings.solver == "block" && size.needs_inertia)
     throw InputError("section Linear solver, entry 'Solver': 'block' does not count unstable "
                      "directions, which Stepping/Continuation = automatic follows; choose direct, "
@@ -54,7 +56,7 @@ LinearChoice choose_linear_solver(const LinearSettings& settings, const LinearPr
   if (size.unknowns <= direct_limit)
     return {"direct", count + " are at most " + std::to_string(direct_limit)};
   if (!block_works)
-    return {"direct", "the formulation has no element pressures that can be kept"};
+    return {"direct", "block needs element pressures and no temperature solved for with them"};
   if (size.needs_inertia)
     return {"direct", "a path is followed by its count of unstable directions"};
   return {"block", count + " in three dimensions are more than " + std::to_string(direct_limit)};

@@ -139,9 +139,9 @@ private:
   LinearSettings linear_settings;
   LinearChoice choice;
   bool needs_inertia = false;
-  std::unique_ptr<LinearSolver> solver;
   std::unique_ptr<PressureBlocks<dim>> pressures; ///< of a solver that keeps them
   std::unique_ptr<LowOrder<dim>> low_order;
+  std::unique_ptr<LinearSolver> solver; ///< refers to both
   std::vector<double> scales; ///< per block
   double volume = 0.;         ///< mm^dim
   double tangent_cost = 1.;   ///< of the last one, LinearReport::cost
