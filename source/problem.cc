@@ -44,6 +44,7 @@ void Problem<dim>::declare()
                       Double(1.));
   }
   nodal_heat.declare(prm);
+  dead_loads.declare(prm);
   loading.declare(prm);
   stepper.declare(prm);
   {
@@ -71,6 +72,7 @@ void Problem<dim>::setup()
   conditions.setup(mesh, layout);
   nodal_heat.setup(mesh, layout, conditions);
   loading.setup(materials, theta);
+  dead_loads.setup(mesh, layout);
   theta_start = materials.reference_temperature();
   state.theta = theta;
   state.x = layout.new_vector();
@@ -79,6 +81,7 @@ void Problem<dim>::setup()
   system.setup(layout.is_transient() ? Solved::deformation : Solved::all);
   transient.setup(system, loading.voltage(1.), theta);
   predictor.setup(system.element());
+  path_following.setup(mesh, layout, conditions);
   state.start();
 
   results.setup(scene(), theta);

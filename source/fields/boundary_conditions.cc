@@ -1,38 +1,12 @@
-#include <thelma/base/axes.h>
 #include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
 #include <thelma/fields/boundary_conditions.h>
 #include <thelma/fields/named_dofs.h>
 
-#include <deal.II/base/utilities.h>
-
-#include <algorithm>
 #include <sstream>
 
 namespace thelma
 {
-namespace
-{
-
-/// Directions (from 0) named by a text such as "u1 u3".
-template <int dim>
-std::vector<unsigned int> parse_components(const std::string& text, const std::string& place)
-{
-  std::vector<std::string> known;
-  for (int d = 0; d < dim; ++d)
-    known.push_back(component_name<dim>(d));
-  std::vector<unsigned int> components;
-  for (const std::string& word : dealii::Utilities::split_string_list(text, ' ')) {
-    const auto found = std::find(known.begin(), known.end(), word);
-    if (found == known.end())
-      throw InputError(place + ": '" + word + "' is no displacement component; write any of " +
-                       comma_separated(known) + " with blanks between");
-    components.push_back(found - known.begin());
-  }
-  return components;
-}
-
-} // namespace
 
 template <int dim>
 void BoundaryConditions<dim>::declare(dealii::ParameterHandler& prm)
@@ -95,7 +69,7 @@ void BoundaryConditions<dim>::fix_supports(const Mesh<dim>& mesh, const FieldLay
 {
   const std::string place = "section Supports, entry 'Fixed'";
   for (const auto& [surface, components] : supports)
-    for (const unsigned int c : parse_components<dim>(components, place))
+    for (const unsigned int c : components_named<dim>(components, place))
       fix(mesh, layout, surface, place, c, 0., fixed_dofs);
   if (supports.empty())
     throw InputError(place + ": the body is free to move; fix enough components to hold it");
@@ -114,7 +88,7 @@ void BoundaryConditions<dim>::fix_moved_supports(const Mesh<dim>& mesh,
       throw InputError(place + ": '" + text +
                        "' is not a displacement component and mm; write it "
                        "as u1 2.5");
-    for (const unsigned int c : parse_components<dim>(component, place))
+    for (const unsigned int c : components_named<dim>(component, place))
       fix(mesh, layout, surface, place, c, way, moved_dofs);
   }
   for (const auto& entry : moved_dofs)

@@ -47,9 +47,10 @@ def require_within(what, value, reference, tolerance):
 
 def pull_in_loop(program, folder, ranks):
     """(a) Both branches and the limit point of the planar actuator."""
-    for formulation in ("selective reduced", "mean dilatation"):
-        case = program.run("hard/pull_in_loop", folder, ranks=ranks,
-                           *options(Discretisation__Formulation=formulation))
+    for formulation, controlled in (("selective reduced", ""), ("mean dilatation", ""),
+                                    ("mean dilatation", "top: u3")):
+        case = program.run("hard/pull_in_loop", folder, ranks=ranks, *options(
+            Discretisation__Formulation=formulation, Stepping__Controlled_displacement=controlled))
         curve = case.curve("e", "lambda_3", "unstable_directions", "event")
         material = planar_exact.Material()
         exact = material.e(planar_exact.curve(material, 293, curve["lambda_3"])[1], 293)
@@ -64,7 +65,7 @@ def pull_in_loop(program, folder, ranks):
         stable = curve["lambda_3"] > limit.lambda_3 + 1e-6
         require(not any(curve["unstable_directions"][stable]), "unstable before the limit point")
         require(all(curve["unstable_directions"][rows[0] + 1:]), "stable beyond the limit point")
-        print(f"  {formulation}: limit point e - exact {e - limit.e:.1e}, largest error of a state "
+        print(f"  {formulation}{', control by ' * bool(controlled)}{controlled}: limit point e - exact {e - limit.e:.1e}, largest error of a state "
               f"{error:.1e} in e, {len(curve['e'])} rows")
 
 
