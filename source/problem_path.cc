@@ -1,5 +1,6 @@
 // What happens once the load alone no longer leads along the path.
 
+#include <thelma/base/error.h>
 #include <thelma/problem.h>
 
 #include <algorithm>

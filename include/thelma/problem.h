@@ -2,6 +2,7 @@
 
 #include <thelma/assembly/dead_loads.h>
 #include <thelma/assembly/predictor.h>
+#include <thelma/base/complaints.h>
 #include <thelma/base/parameters.h>
 #include <thelma/output/results.h>
 #include <thelma/path_following.h>
@@ -29,6 +30,9 @@ public:
   /// Solve; setup() must have been called. What goes wrong from here on is in the Outcome.
   Outcome run();
 
+  /// Smallest shape of a cell (Mesh::shape).
+  double mesh_shape() const { return mesh.shape(); }
+
   /// Every entry with its default or current value.
   std::string parameters() const;
 
@@ -47,6 +51,8 @@ private:
   using Record = std::function<void(double load, const NewtonReport&)>;
 
   void declare();
+  void find_complaints();
+  void check_and_set_up(Complaints& found);
   void heat();
   void set_uniform_temperature(double value);
   void check_stages() const;
@@ -75,6 +81,7 @@ private:
 
   std::string scene_folder; ///< from which the scene names its files
   dealii::ParameterHandler prm;
+  Complaints complaints;
   Timings timings;
   Results<dim> results;
 

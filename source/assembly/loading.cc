@@ -1,5 +1,7 @@
 #include <thelma/assembly/loading.h>
+#include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
+#include <thelma/base/quantity.h>
 
 #include <cmath>
 #include <sstream>
@@ -15,12 +17,13 @@ void Loading::declare(dealii::ParameterHandler& prm)
                     "What Target is: the `voltage` in kV, the dimensionless field `e`, or the "
                     "`charge` in uC of floating electrodes.",
                     Selection("voltage|e|charge"));
-  prm.add_parameter("Target", target, "Where the run ends unless an instability ends it before.",
-                    Double(1e-12));
-  prm.add_parameter("Film thickness", film_thickness,
-                    "Thickness h in mm of the film between the electrodes, for e = V/h "
-                    "sqrt(eps/mu(theta)).",
-                    Double(1e-12));
+  prm.add_parameter("Target", target_text,
+                    "Where the run ends unless an instability ends it before. Unit: that of "
+                    "Control, kV, none or uC.",
+                    Anything());
+  add_quantity(prm, "Film thickness", film_thickness,
+               "Thickness h of the film between the electrodes, for e = V/h sqrt(eps/mu(theta)).",
+               Quantity("mm", 1e-12));
   prm.add_parameter("Film material", film_material,
                     "Material whose eps and mu(theta) enter e; empty: the only one there is.",
                     Anything());
@@ -58,11 +61,26 @@ void Loading::setup(const MaterialLibrary& materials, const double theta)
   const Material& film = materials.named(film_material);
   field_per_voltage =
       std::sqrt(film.permittivity(theta) / film.shear_modulus(theta)) / film_thickness;
+  const double target = read_target();
   if (control == "charge")
     target_charge = target;
   else
     target_voltage = control == "e" ? target / field_per_voltage : target;
   read_stages();
+}
+
+double Loading::read_target() const
+{
+  try {
+    return Quantity(control == "e"         ? "1"
+                    : control == "voltage" ? "kV"
+                                           : "uC",
+                    1e-12)
+        .value(target_text);
+  } catch (const InputError& error) {
+    throw InputError("section Loading, entry 'Target': " + std::string(error.what()) +
+                     ", or choose another Control than " + control);
+  }
 }
 
 void Loading::read_stages()

@@ -65,13 +65,15 @@ public:
   std::string between(Stage::Kind kind, double low, double high) const;
 
 private:
-  std::string control = "e", expected_end = "target", film_material;
+  double read_target() const;
   void read_stages();
+
+  std::string control = "e", target_text = "1", expected_end = "target", film_material;
 
   std::map<std::string, double> until_values;
   std::vector<std::string> stage_texts;
   std::vector<Stage> stage_list;
-  double target = 1., film_thickness = 1., bracket = 1e-4;
+  double film_thickness = 1., bracket = 1e-4;
   double target_voltage = 0., target_charge = 0., field_per_voltage = 0.;
 };
 
