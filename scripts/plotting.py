@@ -11,6 +11,8 @@ except ImportError as error:
     sys.exit(f"{Path(sys.argv[0]).name}: {sys.executable} has no {error.name}; on Debian install "
              "python3-matplotlib and use /usr/bin/python3.")
 
+import stability  # noqa: E402
+
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap  # noqa: E402
@@ -107,6 +109,18 @@ def legends(strip, colors, meaning):
                         ncol=3, title=r"temperature $\theta$")
     strip.add_artist(left)
     strip.legend(handles=meaning, loc="center right", frameon=False, ncol=2)
+
+
+def by_stability(axes, x, y, pieces, linestyle="-", **style):
+    """A curve whose unstable pieces (stability.unstable_pieces) are dashed; `linestyle` is that of
+    the stable ones. A marker stands at every point all the same."""
+    marker = {name: style.pop(name) for name in list(style) if name.startswith("marker")}
+    for first, last, unstable in stability.parts(pieces):
+        if unstable or linestyle:
+            axes.plot(x[first:last + 1], y[first:last + 1], **style,
+                      linestyle=DASHED if unstable else linestyle)
+    if marker:
+        axes.plot(x, y, **{**style, "linestyle": "", **marker})
 
 
 def spaced(x, y, distance):

@@ -16,6 +16,7 @@ from pathlib import Path
 import numpy as np
 
 import planar_exact
+import stability
 
 TEMPERATURE = "Temperature/Value"
 
@@ -36,6 +37,13 @@ class Case:
     def curve(self, *required):
         """Columns of curve.csv by name: arrays of numbers, texts for `event`."""
         return read_columns(self.directory / "curve.csv", required)
+
+    @staticmethod
+    def unstable_pieces(table):
+        """Which pieces between the rows of a curve are unstable; none if it does not say."""
+        events = list(table["event"]) if "event" in table else None
+        rows = len(next(iter(table.values()), []))
+        return stability.unstable_pieces(table.get("unstable_directions", np.zeros(rows)), events)
 
     def pull_in(self):
         """(e_below, e_above) of the pull-in bracket, or None."""

@@ -1,6 +1,7 @@
 #include <thelma/application/estimate.h>
 #include <thelma/application/simulation.h>
 #include <thelma/application/study.h>
+#include <thelma/base/complaints.h>
 #include <thelma/base/version.h>
 #include <thelma/elements/formulation.h>
 #include <thelma/output/observables.h>
@@ -26,6 +27,18 @@ void print_lists(std::ostream& out)
       << "observables:           " << comma_separated(observables<3>().names()) << "\n";
 }
 
+/// Every case, also after one with problems.
+ExitCode check(const CommandLine& line, std::ostream& out)
+{
+  Complaints complaints;
+  std::string verdict;
+  for (const Case& one : cases_of(line))
+    complaints.allow([&]() { verdict = check_scene(MPI_COMM_WORLD, one.file); });
+  complaints.raise();
+  out << line.file << ": " << verdict << "\n";
+  return ExitCode::success;
+}
+
 ExitCode run(const CommandLine& line, std::ostream& out)
 {
   switch (line.action) {
@@ -42,10 +55,7 @@ ExitCode run(const CommandLine& line, std::ostream& out)
     out << default_parameters();
     return ExitCode::success;
   case CommandLine::Action::check:
-    for (const Case& one : cases_of(line))
-      check_scene(MPI_COMM_WORLD, one.file);
-    out << line.file << ": no problem found\n";
-    return ExitCode::success;
+    return check(line, out);
   default:
     if (!line.sweeps.empty())
       return Study(MPI_COMM_WORLD, line).run();
@@ -71,7 +81,8 @@ int main(int argc, char** argv)
     const CommandLine line = CommandLine::parse({argv + 1, argv + argc});
     return static_cast<int>(run(line, is_rank_0 ? std::cout : silence));
   } catch (const InputError& error) {
-    (is_rank_0 ? std::cerr : silence) << "thelma: " << error.what() << std::endl;
+    for (const std::string& sentence : error.sentences())
+      (is_rank_0 ? std::cerr : silence) << "thelma: " << sentence << std::endl;
     return static_cast<int>(ExitCode::bad_input);
   } catch (const dealii::ExceptionBase& error) {
     std::cerr << "thelma: internal error, please report it: ";

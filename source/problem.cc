@@ -1,3 +1,4 @@
+#include <thelma/base/quantity.h>
 #include <thelma/problem.h>
 
 #include <deal.II/base/mpi.h>
@@ -22,7 +23,7 @@ Problem<dim>::Problem(const MPI_Comm comm, const ParameterFile& file, std::strin
 {
   outcome.ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
   declare();
-  file.read(prm);
+  complaints.allow([&]() { file.read(prm); });
 }
 
 template <int dim>
@@ -38,12 +39,14 @@ void Problem<dim>::declare()
   conditions.declare(prm);
   {
     const Section section(prm, {"Temperature"});
-    prm.add_parameter("Value", theta,
-                      "Uniform temperature in K; where the temperature is a field, its first guess "
-                      "or initial value and the temperature at which e is defined.",
-                      Double(1.));
+    add_quantity(
+        prm, "Value", theta,
+        "Uniform temperature; where the temperature is a field, its first guess or initial "
+        "value and the temperature at which e is defined.",
+        Quantity("K", 1.));
   }
   nodal_heat.declare(prm);
+  dead_loads.declare(prm);
   loading.declare(prm);
   stepper.declare(prm);
   {
@@ -62,16 +65,8 @@ void Problem<dim>::declare()
 template <int dim>
 void Problem<dim>::setup()
 {
-  materials.check(theta);
-  {
-    const auto timer = timings.measure("mesh");
-    mesh.read(scene_folder);
-  }
-  layout.setup(mesh, materials);
-  conditions.setup(mesh, layout);
-  nodal_heat.setup(mesh, layout, conditions);
-  loading.setup(materials, theta);
-  theta_start = materials.reference_temperature();
+  find_complaints();
+  complaints.raise();
   state.theta = theta;
   state.x = layout.new_vector();
   if (layout.has(Field::temperature))
@@ -83,10 +78,6 @@ void Problem<dim>::setup()
   predictor.setup(system.element());
   state.start();
 
-  results.setup(scene(), theta);
-  check_path();
-  check_stages();
-
   outcome.modelled = layout.summary();
   outcome.modelled.push_back(loading.description());
   outcome.modelled.push_back(system.solver_description());
@@ -96,6 +87,51 @@ void Problem<dim>::setup()
   outcome.cells = mesh.triangulation().n_active_cells();
   for (const Field field : layout.fields())
     outcome.unknowns[field_name(field)] = layout.n_dofs(field);
+}
+
+/// Sets up all that may find fault with the scene. Of a section that could not be read, only that
+/// is said: what is missing there is likely to be what could not be read.
+template <int dim>
+void Problem<dim>::find_complaints()
+{
+  Complaints found;
+  check_and_set_up(found);
+  const std::vector<std::string> earlier = complaints.sentences();
+  for (const std::string& sentence : found.sentences()) {
+    const std::string section = sentence.substr(0, sentence.find_first_of(",:/"));
+    const std::string guess = "did you mean '" + section.substr(section.find(' ') + 1) + "'";
+    if (std::none_of(earlier.begin(), earlier.end(), [&](const std::string& other) {
+          return other.find(section) != std::string::npos || other.find(guess) != std::string::npos;
+        }))
+      complaints.add(sentence);
+  }
+}
+
+template <int dim>
+void Problem<dim>::check_and_set_up(Complaints& found)
+{
+  if (found.allow([&]() { materials.check(theta); })) {
+    found.allow([&]() { theta_start = materials.reference_temperature(); });
+    found.allow([&]() { loading.setup(materials, theta); });
+  }
+  found.allow([&]() { transient.read_amplitudes(); });
+  const bool has_mesh = found.allow([&]() {
+    const auto timer = timings.measure("mesh");
+    mesh.read(scene_folder);
+  });
+  if (!has_mesh || !found.allow([&]() { layout.setup(mesh, materials); }))
+    return;
+  const bool has_conditions = found.allow([&]() { conditions.setup(mesh, layout); }) &&
+                              found.allow([&]() { conditions.require_held(mesh); });
+  if (has_conditions)
+    found.allow([&]() { nodal_heat.setup(mesh, layout, conditions); });
+  found.allow([&]() { results.setup(scene(), theta); });
+  found.allow([&]() { check_path(); });
+  found.allow([&]() { dead_loads.setup(mesh, layout); });
+  if (has_conditions) {
+    found.allow([&]() { check_stages(); });
+    found.allow([&]() { path_following.setup(mesh, layout, conditions); });
+  }
 }
 
 template <int dim>
@@ -237,6 +273,7 @@ std::string Problem<dim>::parameters() const
 template <int dim>
 bool Problem<dim>::finished() const
 {
+  complaints.raise();
   return results.finished(parameters(), {mesh.path(scene_folder), "/proc/self/exe"});
 }
 

@@ -1,3 +1,4 @@
+#include <thelma/base/complaints.h>
 #include <thelma/base/parameters.h>
 #include <thelma/transient.h>
 
@@ -40,19 +41,27 @@ void Transient<dim>::declare(dealii::ParameterHandler& prm)
 }
 
 template <int dim>
-void Transient<dim>::setup(const System<dim>& deformation, const double target_voltage,
-                           const double theta_start)
+void Transient<dim>::read_amplitudes()
 {
   const auto place = [](const std::string& entry) { return "section Time, entry '" + entry + "'"; };
-  voltage_amplitude.emplace(place("Voltage amplitude"), voltage_text);
-  wall_amplitude.emplace(place("Wall amplitude"), wall_text);
-  power_amplitude.emplace(place("Heat amplitude"), power_text);
+  Complaints complaints;
+  complaints.allow([&]() { voltage_amplitude.emplace(place("Voltage amplitude"), voltage_text); });
+  complaints.allow([&]() { wall_amplitude.emplace(place("Wall amplitude"), wall_text); });
+  complaints.allow([&]() { power_amplitude.emplace(place("Heat amplitude"), power_text); });
+  complaints.raise();
   if (!layout.is_transient()) {
     if (voltage_text != "1" || wall_text != "1" || power_text != "1" || structural_heat != "none")
       throw InputError("section Time: nothing changes in time here; choose Model = transient in "
                        "the section Temperature, or remove the amplitudes and the structural heat");
-    return;
   }
+}
+
+template <int dim>
+void Transient<dim>::setup(const System<dim>& deformation, const double target_voltage,
+                           const double theta_start)
+{
+  if (!layout.is_transient())
+    return;
   voltage = layout.has(Field::potential) ? target_voltage : 0.;
   theta = theta_start;
   system.setup(is_monolithic() ? Solved::all : Solved::temperature, deformation);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <thelma/assembly/dead_loads.h>
 #include <thelma/assembly/predictor.h>
+#include <thelma/base/complaints.h>
 #include <thelma/base/parameters.h>
 #include <thelma/output/results.h>
 #include <thelma/path_following.h>
@@ -28,6 +30,9 @@ public:
   /// Solve; setup() must have been called. What goes wrong from here on is in the Outcome.
   Outcome run();
 
+  /// Smallest shape of a cell (Mesh::shape).
+  double mesh_shape() const { return mesh.shape(); }
+
   /// Every entry with its default or current value.
   std::string parameters() const;
 
@@ -35,11 +40,19 @@ public:
   bool finished() const;
 
 private:
+  /// The stage that the load factor now drives.
+  struct Ramp {
+    Stage::Kind kind = Stage::Kind::voltage;
+    double from = 0., to = 1.; ///< levels
+    double level(const double load) const { return from + load * (to - from); }
+  };
   using PathEnd = typename PathFollowing<dim>::End;
   using PathTask = typename PathFollowing<dim>::Task;
   using Record = std::function<void(double load, const NewtonReport&)>;
 
   void declare();
+  void find_complaints();
+  void check_and_set_up(Complaints& found);
   void heat();
   void set_uniform_temperature(double value);
   void check_stages() const;
@@ -68,6 +81,7 @@ private:
 
   std::string scene_folder; ///< from which the scene names its files
   dealii::ParameterHandler prm;
+  Complaints complaints;
   Timings timings;
   Results<dim> results;
 
@@ -81,6 +95,7 @@ private:
   Transient<dim> transient;
   Predictor<dim> predictor;
   Loading loading;
+  DeadLoads<dim> dead_loads;
   Newton newton;
   Stepper stepper;
   PathFollowing<dim> path_following;
@@ -88,7 +103,8 @@ private:
   unsigned int dimension = dim;
   double theta = 293., theta_start = 293.; ///< K
   Levels levels;                           ///< reached by the stages so far
-  double first_load = 0.;                  ///< of the present stage, in the curve
+  Ramp present;
+  double first_load = 0.; ///< of the present stage, in the curve
   Outcome outcome;
   std::string last_failure;
   std::string unstable_states = "reject";

@@ -28,6 +28,9 @@ public:
 
   void declare(dealii::ParameterHandler& prm);
 
+  /// Throws InputError for an amplitude that cannot be read or that nothing follows.
+  void read_amplitudes();
+
   /// @p deformation solves for displacement and potential at given temperatures. @p voltage (kV)
   /// and the wall temperatures are multiplied by their amplitudes, @p theta in K is uniform at
   /// time 0.

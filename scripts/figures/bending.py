@@ -9,8 +9,8 @@ from plotting import COMPUTED, DASHED
 LENGTH, LAYER = 20.0, 0.5  # mm, of prm/bending_actuator.prm
 MEANING = [plotting.line("exact circle"),
            plotting.mark("converged: Q2/P1, plane strain", **COMPUTED),
-           plotting.line("paper's mesh and element", linestyle=DASHED, linewidth=1.0),
-           plotting.mark("(against e: coldest and hottest)")]
+           plotting.line("paper's mesh and element (against e: coldest and hottest)", linewidth=0.8),
+           plotting.line("the same, unstable", linestyle=DASHED, linewidth=0.8)]
 
 
 def draw_exact(axes, curve, color):
@@ -28,6 +28,7 @@ def draw_converged(axes, curve, color):
     for panel, (x, _) in zip(axes, curve.abscissas()):
         shown = plotting.spaced(x, tip, 0.07)
         panel.plot(x[shown], tip[shown], linestyle="", color=color, zorder=4, **COMPUTED)
+        plotting.by_stability(panel, x, tip, curve.unstable, linestyle="", color=color, linewidth=0.8)
 
 
 def draw_paper(axes, group, colors):
@@ -35,8 +36,8 @@ def draw_paper(axes, group, colors):
     for curve in group:
         for panel, (x, _) in zip(axes, curve.abscissas()):
             if panel is axes[1] or curve in (group[0], group[-1]):
-                panel.plot(x, curve.value / LENGTH, linestyle=DASHED, linewidth=1.0,
-                           color=colors[curve.theta], zorder=3)
+                plotting.by_stability(panel, x, curve.value / LENGTH, curve.unstable,
+                                      linewidth=0.8, color=colors[curve.theta], zorder=3)
 
 
 def deflection(folder, path):

@@ -18,6 +18,7 @@ class Curve:
     voltage: np.ndarray  # kV
     value: np.ndarray
     pulled_in: bool
+    unstable: list  # for each piece between two points, whether it is
 
     @property
     def thickness(self):
@@ -44,7 +45,8 @@ def load_curve(case, observable):
         raise study.StudyError(f"{case.directory / 'curve.csv'} has no rows.")
     theta = table["theta_K"][0] if "theta_K" in table else float(case.swept[study.TEMPERATURE])
     return Curve(case, float(theta), case.material(), table["e"], table["voltage_kV"],
-                 table[observable], "pull-in" in list(table["event"]))
+                 table[observable], "pull-in" in list(table["event"]),
+                 case.unstable_pieces(table))
 
 
 def load_study(directory, observable):

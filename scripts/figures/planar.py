@@ -30,6 +30,7 @@ def draw_curve(axes, curve, color, x, factor):
         shown.pop()
         axes.plot(x[-1], curve.value[-1], color=color, zorder=5, **LAST)
     axes.plot(x[shown], curve.value[shown], linestyle="", color=color, zorder=4, **COMPUTED)
+    plotting.by_stability(axes, x, curve.value, curve.unstable, linestyle="", color=color, zorder=3)
 
 
 def shear_modulus(folder, path):

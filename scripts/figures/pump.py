@@ -7,7 +7,8 @@ from plotting import DASHED, LAST
 
 LENGTH, THICKNESS = 20.0, 1.0  # mm, of prm/buckling_pump.prm
 MEANING = [plotting.line("converged: Q2/P1, a quarter", marker="o", markersize=2.6),
-           plotting.line("paper's mesh and element", linestyle=DASHED, linewidth=1.0),
+           plotting.line("paper's mesh and element", linewidth=0.8),
+           plotting.line("unstable", linestyle=DASHED),
            plotting.mark("last state before pull-in", **LAST),
            plotting.mark("buckling of a thin strip", marker="|", markersize=9)]
 
@@ -22,10 +23,10 @@ def thin_strip(material, theta):
 def draw_curve(axes, curve, color, converged):
     """A computed curve in both panels of a column. A layer may buckle to either side."""
     deflection = np.abs(curve.value) / LENGTH
-    style = {"marker": "o", "markersize": 2.6} if converged else {"linestyle": DASHED,
-                                                                  "linewidth": 1.0}
+    style = {"marker": "o", "markersize": 2.6} if converged else {"linewidth": 0.8}
     for panel, (x, factor) in zip(axes, curve.abscissas()):
-        panel.plot(x, deflection, color=color, zorder=3 if converged else 2, **style)
+        plotting.by_stability(panel, x, deflection, curve.unstable, color=color,
+                              zorder=3 if converged else 2, **style)
         if curve.stopped:
             panel.plot(x[-1], deflection[-1], color=color, zorder=5, **LAST)
         onset = thin_strip(curve.material, curve.theta)

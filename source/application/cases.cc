@@ -1,4 +1,5 @@
 #include <thelma/application/cases.h>
+#include <thelma/base/error.h>
 
 #include <algorithm>
 #include <set>

@@ -106,9 +106,10 @@ CommandLine CommandLine::parse(const std::vector<std::string>& given)
     else if (word == "--help" || word == "-h")
       line.action = Action::help;
     else if (word.rfind("-", 0) == 0)
-      throw InputError("command line: unknown option '" + word +
-                       "'; known: --set, --sweep, --ranks-per-case, --output, --estimate, --check, "
-                       "--list, --defaults, --version, --help");
+      throw InputError("command line: unknown option '" + word + "'" +
+                       known_ones(word, {"--set", "--sweep", "--ranks-per-case", "--output",
+                                         "--estimate", "--check", "--list", "--defaults",
+                                         "--version", "--help"}));
     else if (!line.file.empty())
       throw InputError("command line: two parameter files, '" + line.file + "' and '" + word +
                        "'; give one");
@@ -142,7 +143,7 @@ Simulates dielectric elastomer actuators: finite deformation, electric field, te
   --output DIR                       where results go (default output/<name of FILE>)
   --estimate                         run again on a mesh twice as fine and print the error of
                                      every number (estimate.csv)
-  --check                            read the scene, build everything, run nothing
+  --check                            say all that is wrong with the scene, run nothing
   --list                             known laws, formulations, solvers and observables
   --defaults                         print every entry with its default, unit and meaning
   --version, --help
@@ -159,7 +160,8 @@ Examples
 
 Exit codes
   0  done, and what the file expects came true
-  1  bad input: one sentence says which file, section, entry and value, and the remedy
+  1  bad input: a sentence for each problem says file, line, section, entry and value, and the
+     remedy
   2  an expectation of the file failed
   3  no convergence or an unexpected instability; partial results are kept
   70 an error in the program

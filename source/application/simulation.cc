@@ -1,7 +1,10 @@
 #include <thelma/application/simulation.h>
+#include <thelma/base/error.h>
 #include <thelma/problem.h>
 
+#include <iomanip>
 #include <memory>
+#include <sstream>
 
 namespace thelma
 {
@@ -27,8 +30,10 @@ auto with_problem(const MPI_Comm comm, const ParameterFile& file, const std::str
       return action(*std::make_unique<Problem<2>>(comm, file, folder, console));
     return action(*std::make_unique<Problem<3>>(comm, file, folder, console));
   } catch (const InputError& error) {
-    const std::string sentence = error.what();
-    throw InputError((sentence.rfind("section ", 0) == 0 ? file.name() + ", " : "") + sentence);
+    std::vector<std::string> sentences = error.sentences();
+    for (std::string& sentence : sentences)
+      sentence = file.located(sentence);
+    throw InputError(sentences);
   }
 }
 
@@ -55,9 +60,15 @@ bool is_finished(const ParameterFile& file, const std::string& folder)
                       [](const auto& problem) { return problem.finished(); });
 }
 
-void check_scene(const MPI_Comm comm, const ParameterFile& file)
+std::string check_scene(const MPI_Comm comm, const ParameterFile& file)
 {
-  with_problem(comm, file, "", silence(), [](auto& problem) { problem.setup(); });
+  return with_problem(comm, file, "", silence(), [](auto& problem) {
+    problem.setup();
+    std::ostringstream text;
+    text << "no problem found; shape of the worst cell: " << std::setprecision(2)
+         << problem.mesh_shape() << (problem.mesh_shape() < 0.2 ? ", poor" : "") << " (1 is a box)";
+    return text.str();
+  });
 }
 
 std::string default_parameters()

@@ -1,5 +1,6 @@
 #include <thelma/application/simulation.h>
 #include <thelma/application/study.h>
+#include <thelma/base/error.h>
 #include <thelma/base/timings.h>
 #include <thelma/output/run_report.h>
 

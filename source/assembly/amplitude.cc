@@ -1,22 +1,29 @@
 #include <thelma/assembly/amplitude.h>
 #include <thelma/base/error.h>
+#include <thelma/base/quantity.h>
 
-#include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
 
 namespace thelma
 {
 
 Amplitude::Amplitude(const std::string& place, const std::string& text)
 {
-  using namespace dealii::Patterns;
-  const Map table(Double(), Double(), 1);
-  if (text.find(':') == std::string::npos)
+  if (text.find(':') == std::string::npos) {
     formula = std::make_shared<Formula<1>>(place, text, "t");
-  else if (table.match(text))
-    rows = Tools::Convert<std::map<double, double>>::to_value(text, table);
-  else
+    return;
+  }
+  try {
+    for (const std::string& row : dealii::Utilities::split_string_list(text)) {
+      const std::size_t colon = std::min(row.find(':'), row.size() - 1);
+      rows[Quantity("s").value(row.substr(0, colon))] = Quantity("1").value(row.substr(colon + 1));
+    }
+  } catch (const InputError& error) {
     throw InputError(place + ": cannot read the table '" + text +
-                     "'; write `time: value, time: value` with times in s");
+                     "'; write `time: value, time: value` with times in s: " + error.what());
+  }
 }
 
 double Amplitude::operator()(const double time) const

@@ -1,5 +1,7 @@
 #include <thelma/assembly/loading.h>
+#include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
+#include <thelma/base/quantity.h>
 
 #include <cmath>
 #include <sstream>
@@ -15,12 +17,13 @@ void Loading::declare(dealii::ParameterHandler& prm)
                     "What Target is: the `voltage` in kV, the dimensionless field `e`, or the "
                     "`charge` in uC of floating electrodes.",
                     Selection("voltage|e|charge"));
-  prm.add_parameter("Target", target, "Where the run ends unless an instability ends it before.",
-                    Double(1e-12));
-  prm.add_parameter("Film thickness", film_thickness,
-                    "Thickness h in mm of the film between the electrodes, for e = V/h "
-                    "sqrt(eps/mu(theta)).",
-                    Double(1e-12));
+  prm.add_parameter("Target", target_text,
+                    "Where the run ends unless an instability ends it before. Unit: that of "
+                    "Control, kV, none or uC.",
+                    Anything());
+  add_quantity(prm, "Film thickness", film_thickness,
+               "Thickness h of the film between the electrodes, for e = V/h sqrt(eps/mu(theta)).",
+               Quantity("mm", 1e-12));
   prm.add_parameter("Film material", film_material,
                     "Material whose eps and mu(theta) enter e; empty: the only one there is.",
                     Anything());
@@ -30,8 +33,9 @@ void Loading::declare(dealii::ParameterHandler& prm)
                     Double(1e-12));
   prm.add_parameter("Stages", stage_texts,
                     "What happens one after the other: `voltage 1` or `charge 1` goes to this "
-                    "multiple of Target, `move 1` takes Supports/Moved along this part of their "
-                    "way, `disconnect NAME` lets an electrode float with its charge and `connect "
+                    "multiple of Target, `force 1` to this multiple of Loads/Force, `move 1` takes "
+                    "Supports/Moved along this part of their way, `disconnect NAME` lets an "
+                    "electrode float with its charge and `connect "
                     "NAME` drives it from its potential. Empty: `voltage 1`, or `charge 1`.",
                     List(Anything(), 0, 100));
   prm.add_parameter("Until", until_values,
@@ -57,6 +61,7 @@ void Loading::setup(const MaterialLibrary& materials, const double theta)
   const Material& film = materials.named(film_material);
   field_per_voltage =
       std::sqrt(film.permittivity(theta) / film.shear_modulus(theta)) / film_thickness;
+  const double target = read_target();
   if (control == "charge")
     target_charge = target;
   else
@@ -64,13 +69,26 @@ void Loading::setup(const MaterialLibrary& materials, const double theta)
   read_stages();
 }
 
+double Loading::read_target() const
+{
+  try {
+    return Quantity(control == "e"         ? "1"
+                    : control == "voltage" ? "kV"
+                                           : "uC",
+                    1e-12)
+        .value(target_text);
+  } catch (const InputError& error) {
+    throw InputError("section Loading, entry 'Target': " + std::string(error.what()) +
+                     ", or choose another Control than " + control);
+  }
+}
+
 void Loading::read_stages()
 {
-  const std::map<std::string, Stage::Kind> kinds{{"voltage", Stage::Kind::voltage},
-                                                 {"charge", Stage::Kind::charge},
-                                                 {"move", Stage::Kind::move},
-                                                 {"connect", Stage::Kind::connect},
-                                                 {"disconnect", Stage::Kind::disconnect}};
+  const std::map<std::string, Stage::Kind> kinds{
+      {"voltage", Stage::Kind::voltage}, {"charge", Stage::Kind::charge},
+      {"force", Stage::Kind::force},     {"move", Stage::Kind::move},
+      {"connect", Stage::Kind::connect}, {"disconnect", Stage::Kind::disconnect}};
   if (stage_texts.empty()) {
     stage_list = {{kinds.at(control == "charge" ? "charge" : "voltage"), 1., ""}};
     return;
@@ -84,11 +102,28 @@ void Loading::read_stages()
     const bool read =
         found != kinds.end() && (stage.is_ramp() ? words >> stage.level : words >> stage.electrode);
     if (!read || words >> rest)
-      throw InputError("section Loading, entry 'Stages': '" + text +
-                       "' is no stage; write voltage, charge or move with a number, or connect or "
-                       "disconnect with an electrode");
+      throw InputError(
+          "section Loading, entry 'Stages': '" + text +
+          "' is no stage; write voltage, charge, force or move with a number, or connect or "
+          "disconnect with an electrode");
     stage_list.push_back(stage);
   }
+}
+
+std::string Loading::between(const Stage::Kind kind, const double low, const double high) const
+{
+  const double unit = kind == Stage::Kind::voltage  ? field(voltage(1.))
+                      : kind == Stage::Kind::charge ? charge(1.)
+                                                    : 1.;
+  std::ostringstream text;
+  text.precision(7);
+  text << "between " << (kind == Stage::Kind::voltage ? "e = " : "") << unit * low << " and "
+       << unit * high
+       << (kind == Stage::Kind::voltage  ? ""
+           : kind == Stage::Kind::charge ? " uC"
+           : kind == Stage::Kind::force  ? " times the force"
+                                         : " of the way of the moved supports");
+  return text.str();
 }
 
 std::string Loading::description() const

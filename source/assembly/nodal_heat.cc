@@ -1,5 +1,7 @@
 #include <thelma/assembly/nodal_heat.h>
+#include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
+#include <thelma/base/quantity.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -15,20 +17,18 @@ namespace thelma
 template <int dim>
 void NodalHeat<dim>::declare(dealii::ParameterHandler& prm)
 {
-  using namespace dealii::Patterns;
   const Section section(prm, {"Heat"});
-  const Map per_surface(Anything(), Double(), 0, 100);
-  prm.add_parameter("Flux", fluxes,
-                    "Heat flux into the body through surfaces, mW per mm^2 of the undeformed "
-                    "surface, as `outer: 0.5`.",
-                    per_surface);
-  prm.add_parameter("Convection", convections,
-                    "Coefficient h of the heat loss h (theta - theta_inf) of surfaces, "
-                    "mW/(mm^2 K) = 1000 W/(m^2 K), as `outer: 0.02`.",
-                    per_surface);
-  prm.add_parameter("Surroundings", surroundings,
-                    "Temperature theta_inf in K around the surfaces with convection.", per_surface);
-  prm.add_parameter("Source", sources, "Heat source R of regions in mW/mm^3.", per_surface);
+  add_quantity(prm, "Flux", fluxes,
+               "Heat flux into the body through surfaces, per area of the undeformed surface, as "
+               "`outer: 0.5`.",
+               Quantity("mW/mm^2"));
+  add_quantity(
+      prm, "Convection", convections,
+      "Coefficient h of the heat loss h (theta - theta_inf) of surfaces, as `outer: 0.02`.",
+      Quantity("mW/(mm^2 K)"));
+  add_quantity(prm, "Surroundings", surroundings,
+               "Temperature theta_inf around the surfaces with convection.", Quantity("K"));
+  add_quantity(prm, "Source", sources, "Heat source R of regions.", Quantity("mW/mm^3"));
 }
 
 template <int dim>
@@ -102,8 +102,8 @@ void NodalHeat<dim>::collect_sources(const Mesh<dim>& mesh, const FieldLayout<di
   const auto& regions = mesh.regions();
   for (const auto& entry : sources)
     if (std::find(regions.begin(), regions.end(), entry.first) == regions.end())
-      throw InputError(place + ": the mesh has no region '" + entry.first +
-                       "'; known: " + comma_separated(regions));
+      throw InputError(place + ": the mesh has no region '" + entry.first + "'" +
+                       known_ones(entry.first, regions));
   const auto source = [&](const Cell<dim>& cell) {
     const auto found = sources.find(mesh.region_of(cell.iterator));
     return found == sources.end() ? 0. : found->second;

@@ -1,11 +1,10 @@
-#include <thelma/base/error.h>
+#include <thelma/base/complaints.h>
+#include <thelma/base/declared_entries.h>
 #include <thelma/base/parameters.h>
+#include <thelma/base/quantity.h>
 
 #include <deal.II/base/utilities.h>
 
-#include <boost/property_tree/json_parser.hpp>
-
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -16,64 +15,68 @@ namespace thelma
 namespace
 {
 
-/// The sections open at line @p number (from 1) of a parameter file.
-std::vector<std::string> sections_at(const std::string& text, const unsigned int number)
-{
-  std::vector<std::string> path;
-  std::istringstream lines(text);
-  std::string line;
-  for (unsigned int i = 1; i < number && std::getline(lines, line); ++i) {
-    line = dealii::Utilities::trim(line);
-    if (line.rfind("subsection ", 0) == 0)
-      path.push_back(dealii::Utilities::trim(line.substr(11)));
-    else if (line == "end" && !path.empty())
-      path.pop_back();
-  }
-  return path;
-}
-
-/// Entries (or subsections) that @p prm declares in the section @p path.
-std::vector<std::string> known_names(const dealii::ParameterHandler& prm,
-                                     const std::vector<std::string>& path, const bool sections)
-{
-  std::stringstream json;
-  prm.print_parameters(json, dealii::ParameterHandler::JSON);
-  boost::property_tree::ptree tree;
-  boost::property_tree::read_json(json, tree);
-  for (const std::string& section : path) {
-    const auto child = tree.find(section);
-    if (child == tree.not_found())
-      return {};
-    tree = boost::property_tree::ptree(child->second);
-  }
-  std::vector<std::string> names;
-  for (const auto& [name, child] : tree)
-    if ((child.find("value") == child.not_found()) == sections)
-      names.push_back(name);
-  return names;
-}
-
-std::string section_name(const std::vector<std::string>& path)
+std::string slashed(const std::vector<std::string>& path)
 {
   std::string name;
   for (const std::string& section : path)
     name += (name.empty() ? "" : "/") + section;
-  return name.empty() ? "the top level" : "section " + name;
+  return name;
 }
 
-/// First group of @p pattern in @p text, or an empty string.
-std::string match(const std::string& text, const std::string& pattern)
-{
-  std::smatch found;
-  return std::regex_search(text, found, std::regex(pattern)) ? found[1].str() : "";
-}
-
-/// A pattern's description without deal.II's brackets.
+/// A pattern's description in words.
 std::string in_words(const std::string& pattern)
 {
-  if (const std::string choices = match(pattern, "^\\[Selection (.*) \\]$"); !choices.empty())
-    return "one of " + std::regex_replace(choices, std::regex("\\|"), ", ");
-  return pattern;
+  std::smatch found;
+  if (std::regex_search(pattern, found, std::regex("^\\[Selection (.*) \\]$")))
+    return "one of " + std::regex_replace(found[1].str(), std::regex("\\|"), ", ");
+  if (std::regex_search(
+          pattern, found,
+          std::regex("^\\[(Integer|Double)(?: (?:range )?(\\S+)\\.\\.\\.(\\S+) .*)?\\]$"))) {
+    const bool has_end = found[3].length() > 0 && found[3].length() < 8 && found[3] != "MAX_DOUBLE";
+    return std::string(found[1] == "Integer" ? "an integer" : "a number") +
+           (found[2].length() > 0 && found[2] != "-MAX_DOUBLE" ? " from " + found[2].str() : "") +
+           (has_end ? " to " + found[3].str() : "");
+  }
+  return pattern == "[Bool]" ? "true or false" : pattern;
+}
+
+/// `'Tolerence'; did you mean ...` with the sections where an entry of this name belongs.
+std::string unknown_entry(const DeclaredEntries& declared, const Statement& statement)
+{
+  const std::vector<std::string> elsewhere = declared.sections_with(statement.entry);
+  const std::vector<std::string> here = declared.entries(statement.sections);
+  std::string sentence = "unknown entry '" + statement.entry + "'";
+  if (closest(statement.entry, here).empty() && !elsewhere.empty())
+    sentence += "; it belongs to the section " + comma_separated(elsewhere) +
+                "; known here: " + comma_separated(here);
+  else
+    sentence += known_ones(statement.entry, here);
+  return sentence;
+}
+
+/// The first section of @p path that is not declared, if any, as a sentence.
+std::string unknown_section(const DeclaredEntries& declared, const std::vector<std::string>& path)
+{
+  std::vector<std::string> parent;
+  for (const std::string& section : path) {
+    const std::vector<std::string> known = declared.sections(parent);
+    parent.push_back(section);
+    if (!declared.has_section(parent))
+      return "unknown subsection '" + section + "'" + known_ones(section, known);
+  }
+  return "";
+}
+
+/// Throws InputError, with a sentence without place, if the entry cannot have this value.
+void set(dealii::ParameterHandler& prm, const DeclaredEntries& declared, const Statement& statement)
+{
+  const std::string pattern = declared.pattern(statement.sections, statement.entry);
+  const Section section(prm, statement.sections);
+  try {
+    prm.set(statement.entry, Quantity::plain(statement.value, pattern));
+  } catch (const dealii::ExceptionBase&) {
+    throw InputError("the value is '" + statement.value + "' but must be " + in_words(pattern));
+  }
 }
 
 } // namespace
@@ -104,24 +107,18 @@ ParameterFile::ParameterFile(std::string file, const std::vector<Override>& over
 {
   std::ifstream stream(path);
   std::stringstream content;
-  if (!stream || !(content << stream.rdbuf()))
+  if (!stream || std::filesystem::is_directory(path) || !(content << stream.rdbuf()))
     throw InputError(path + ": cannot read this parameter file; give the path of an existing .prm");
-  text = content.str() + "\n";
-  n_file_lines = std::count(text.begin(), text.end(), '\n');
-  for (const Override& change : overrides) {
-    for (const std::string& section : change.sections)
-      text += "subsection " + section + "\n";
-    text += "set " + change.entry + " = " + change.value + "\n";
-    for (std::size_t i = 0; i < change.sections.size(); ++i)
-      text += "end\n";
-  }
+  statements = Statements(content.str());
+  for (const Override& change : overrides)
+    statements.entries.push_back({0, change.sections, change.entry, change.value});
 }
 
 ParameterFile ParameterFile::from_text(const std::string& text)
 {
   ParameterFile file;
   file.path = "parameters";
-  file.text = text;
+  file.statements = Statements(text);
   return file;
 }
 
@@ -129,44 +126,72 @@ void ParameterFile::peek(const std::function<void(dealii::ParameterHandler&)>& d
 {
   dealii::ParameterHandler prm;
   declare(prm);
-  try {
-    prm.parse_input_from_string(text, "", true);
-  } catch (const dealii::ExceptionBase&) {
-    // Whatever is wrong is reported by read(), which knows every entry.
-  }
+  const DeclaredEntries declared(prm);
+  Complaints unheard; // whatever is wrong is reported by read(), which knows every entry
+  for (const Statement& statement : statements.entries)
+    if (declared.has_entry(statement.sections, statement.entry))
+      unheard.allow([&]() { set(prm, declared, statement); });
 }
 
 void ParameterFile::read(dealii::ParameterHandler& prm) const
 {
-  try {
-    prm.parse_input_from_string(text, "", false);
-  } catch (const dealii::ExceptionBase& exception) {
-    std::ostringstream stream;
-    exception.print_info(stream);
-    const std::string info = std::regex_replace(stream.str(), std::regex("\\s+"), " ");
-
-    const std::string number = match(info, "Line <(\\d+)>");
-    const unsigned int line = number.empty() ? 0 : std::stoul(number);
-    const std::vector<std::string> section = sections_at(text, line);
-    const std::string place = line == 0
-                                  ? path
-                                  : (line > n_file_lines ? "command line" : path + ":" + number) +
-                                        ", " + section_name(section);
-
-    if (const std::string entry = match(info, "No entry with name <(.*)> was"); !entry.empty())
-      throw InputError(place + ": unknown entry '" + entry +
-                       "'; known entries: " + comma_separated(known_names(prm, section, false)));
-    if (const std::string name = match(info, "no such subsection to be entered: (.*?) ?$");
-        !name.empty())
-      throw InputError(place + ": unknown subsection '" + name +
-                       "'; known subsections: " + comma_separated(known_names(prm, section, true)));
-    if (const std::string entry = match(info, "entry named (.*) does not match"); !entry.empty())
-      throw InputError(place + ": entry '" + entry + "' has the value '" +
-                       match(info, "entry value (.*) for the entry") + "' but must be " +
-                       in_words(match(info, "given pattern: (.*?) ?$")));
-    throw InputError(place + ": " +
-                     std::regex_replace(info, std::regex("^ | $|<input string>?"), ""));
+  const DeclaredEntries declared(prm);
+  std::multimap<unsigned int, std::string> found; // by line; the command line comes last
+  const auto complain = [&](const unsigned int line, const std::string& sentence) {
+    found.emplace(line == 0 ? std::numeric_limits<unsigned int>::max() : line, sentence);
+  };
+  for (const Statements::Problem& problem : statements.problems)
+    complain(problem.line, place(problem.line, {}) + ": " + problem.sentence);
+  for (const OpenedSection& section : statements.sections) {
+    const std::vector<std::string> parent(section.path.begin(), section.path.end() - 1);
+    if (declared.has_section(parent) && !declared.has_section(section.path))
+      complain(section.line,
+               place(section.line, parent) + ": " + unknown_section(declared, section.path));
   }
+  for (const Statement& statement : statements.entries) {
+    const std::string where = place(statement.line, statement.sections);
+    if (const std::string unknown = unknown_section(declared, statement.sections);
+        !unknown.empty()) {
+      if (statement.line == 0)
+        complain(0, where + ": " + unknown);
+    } else if (!declared.has_entry(statement.sections, statement.entry))
+      complain(statement.line, where + ": " + unknown_entry(declared, statement));
+    else
+      try {
+        set(prm, declared, statement);
+      } catch (const InputError& error) {
+        complain(statement.line, where + ", entry '" + statement.entry + "': " + error.what());
+      }
+  }
+  Complaints complaints;
+  for (const auto& entry : found)
+    complaints.add(entry.second);
+  complaints.raise();
+}
+
+std::string ParameterFile::place(const unsigned int line,
+                                 const std::vector<std::string>& sections) const
+{
+  return (line == 0 ? "command line" : path + ":" + std::to_string(line)) +
+         (sections.empty() ? "" : ", section " + slashed(sections));
+}
+
+std::string ParameterFile::located(const std::string& sentence) const
+{
+  std::smatch parts;
+  if (sentence.rfind("section ", 0) != 0)
+    return sentence;
+  const std::string head = sentence.substr(0, sentence.find(": "));
+  if (!std::regex_search(head, parts, std::regex("^section ([^,]+)(?:, entry '([^']*)')?")))
+    return path + ", " + sentence;
+  std::string where = path;
+  for (const OpenedSection& section : statements.sections)
+    if (slashed(section.path) == parts[1])
+      where = path + ":" + std::to_string(section.line);
+  for (const Statement& statement : statements.entries)
+    if (slashed(statement.sections) == parts[1] && statement.entry == parts[2])
+      where = statement.line == 0 ? "command line" : path + ":" + std::to_string(statement.line);
+  return where + ", " + sentence;
 }
 
 std::string located(const std::string& file, const std::string& folder)

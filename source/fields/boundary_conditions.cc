@@ -1,35 +1,23 @@
-#include <thelma/base/axes.h>
+#include <thelma/base/complaints.h>
 #include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
+#include <thelma/base/quantity.h>
 #include <thelma/fields/boundary_conditions.h>
 #include <thelma/fields/named_dofs.h>
-
-#include <deal.II/base/utilities.h>
-
-#include <algorithm>
-#include <sstream>
+#include <thelma/fields/rigid_motions.h>
 
 namespace thelma
 {
 namespace
 {
 
-/// Directions (from 0) named by a text such as "u1 u3".
-template <int dim>
-std::vector<unsigned int> parse_components(const std::string& text, const std::string& place)
+double moved_way(const std::string& text, const std::string& place)
 {
-  std::vector<std::string> known;
-  for (int d = 0; d < dim; ++d)
-    known.push_back(component_name<dim>(d));
-  std::vector<unsigned int> components;
-  for (const std::string& word : dealii::Utilities::split_string_list(text, ' ')) {
-    const auto found = std::find(known.begin(), known.end(), word);
-    if (found == known.end())
-      throw InputError(place + ": '" + word + "' is no displacement component; write any of " +
-                       comma_separated(known) + " with blanks between");
-    components.push_back(found - known.begin());
+  try {
+    return Quantity("mm").value(text);
+  } catch (const InputError& error) {
+    throw InputError(place + ": " + error.what());
   }
-  return components;
 }
 
 } // namespace
@@ -45,25 +33,27 @@ void BoundaryConditions<dim>::declare(dealii::ParameterHandler& prm)
                       "`clamp: u1 u2 u3, symmetry: u1`.",
                       Map(Anything(), Anything(), 0, 100));
     prm.add_parameter("Moved", moved_supports,
-                      "Displacement components in mm to which the stage `move` (Loading/Stages) "
-                      "takes surfaces, lines or points, as `grip: u1 2.5`.",
+                      "Displacement components to which the stage `move` (Loading/Stages) takes "
+                      "surfaces, lines or points, as `grip: u1 2.5`. Unit: mm.",
                       Map(Anything(), Anything(), 0, 100));
   }
   plates.declare(prm);
   const Section section(prm, {"Temperature"});
-  prm.add_parameter("Fixed", temperatures,
-                    "Temperatures of surfaces in K, as `inner: 353`; only for a temperature field.",
-                    Map(Anything(), Double(1.), 0, 100));
+  add_quantity(prm, "Fixed", temperatures,
+               "Temperatures of surfaces, as `inner: 353`; only for a temperature field.",
+               Quantity("K", 1.));
 }
 
 template <int dim>
 void BoundaryConditions<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout)
 {
-  fix_supports(mesh, layout);
-  fix_moved_supports(mesh, layout);
-  plates.setup(mesh, layout);
+  Complaints complaints;
+  complaints.allow([&]() { fix_supports(mesh, layout); });
+  complaints.allow([&]() { fix_moved_supports(mesh, layout); });
+  complaints.allow([&]() { plates.setup(mesh, layout); });
+  complaints.allow([&]() { fix_temperatures(mesh, layout); });
+  complaints.raise();
   collect_driven();
-  fix_temperatures(mesh, layout);
 
   owned = layout.dof_handler().locally_owned_dofs();
   homogeneous.clear();
@@ -94,11 +84,30 @@ template <int dim>
 void BoundaryConditions<dim>::fix_supports(const Mesh<dim>& mesh, const FieldLayout<dim>& layout)
 {
   const std::string place = "section Supports, entry 'Fixed'";
+  Complaints complaints;
   for (const auto& [surface, components] : supports)
-    for (const unsigned int c : parse_components<dim>(components, place))
-      fix(mesh, layout, surface, place, c, 0., fixed_dofs);
+    complaints.allow([&, &surface = surface, &components = components]() {
+      for (const unsigned int c : components_named<dim>(components, place))
+        fix(mesh, layout, surface, place, c, 0., fixed_dofs);
+    });
   if (supports.empty())
-    throw InputError(place + ": the body is free to move; fix enough components to hold it");
+    complaints.add(place + ": the body is free to move; fix enough components to hold it");
+  complaints.raise();
+}
+
+template <int dim>
+void BoundaryConditions<dim>::require_held(const Mesh<dim>& mesh) const
+{
+  RigidMotions<dim> motions(mesh);
+  for (const auto& [surface, components] : supports)
+    for (const unsigned int c : components_named<dim>(components, ""))
+      motions.hold(surface, c);
+  for (const auto& [surface, text] : moved_supports)
+    motions.hold(surface, components_named<dim>(text.substr(0, text.find(' ')), "").front());
+  Complaints complaints;
+  for (const std::string& sentence : motions.remaining())
+    complaints.add("section Supports, entry 'Fixed': " + sentence);
+  complaints.raise();
 }
 
 template <int dim>
@@ -107,14 +116,13 @@ void BoundaryConditions<dim>::fix_moved_supports(const Mesh<dim>& mesh,
 {
   const std::string place = "section Supports, entry 'Moved'";
   for (const auto& [surface, text] : moved_supports) {
-    std::istringstream words(text);
-    std::string component;
-    double way = 0.;
-    if (!(words >> component >> way))
+    const std::size_t blank = text.find(' ');
+    if (blank == std::string::npos)
       throw InputError(place + ": '" + text +
                        "' is not a displacement component and mm; write it "
                        "as u1 2.5");
-    for (const unsigned int c : parse_components<dim>(component, place))
+    const double way = moved_way(text.substr(blank), place);
+    for (const unsigned int c : components_named<dim>(text.substr(0, blank), place))
       fix(mesh, layout, surface, place, c, way, moved_dofs);
   }
   for (const auto& entry : moved_dofs)

@@ -1,3 +1,4 @@
+#include <thelma/base/complaints.h>
 #include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
 #include <thelma/fields/electrodes.h>
@@ -45,13 +46,19 @@ void Electrodes<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layou
                                "electrodes or make a region active");
     return;
   }
+  Complaints complaints;
   const auto is_ground = [](const auto& electrode) { return electrode.second == 0.; };
   if (std::none_of(driven.begin(), driven.end(), is_ground))
-    throw InputError(place + ": there is no ground electrode; give one surface the potential 0");
+    complaints.add(place + ": there is no ground electrode; give one surface the potential 0");
   for (const auto& [name, multiple] : driven)
-    add(mesh, layout, {name, {}, multiple, 0., 0., false}, place);
+    complaints.allow([&, &name = name, &multiple = multiple]() {
+      add(mesh, layout, {name, {}, multiple, 0., 0., false}, place);
+    });
   for (const auto& [name, multiple] : floating)
-    add(mesh, layout, {name, {}, 1., multiple, 0., true}, "section Electrodes, entry 'Floating'");
+    complaints.allow([&, &name = name, &multiple = multiple]() {
+      add(mesh, layout, {name, {}, 1., multiple, 0., true}, "section Electrodes, entry 'Floating'");
+    });
+  complaints.raise();
 }
 
 template <int dim>
@@ -70,9 +77,9 @@ void Electrodes<dim>::add(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
     const bool touches = std::any_of(other.dofs.begin(), other.dofs.end(),
                                      [&](const auto dof) { return dofs.count(dof) > 0; });
     if (touches && !alike)
-      throw InputError(place + ": surface '" + electrode.name +
-                       "' touches another one with a different value; prescribe one value at each "
-                       "point");
+      throw InputError(place + ": electrode '" + electrode.name + "' touches '" + other.name +
+                       "', which has another potential: a short circuit; give both the same, or "
+                       "leave a gap");
   }
   list.push_back(std::move(electrode));
 }
@@ -93,8 +100,7 @@ const Electrode& Electrodes<dim>::named(const std::string& name, const std::stri
       return electrode;
     known.push_back(electrode.name);
   }
-  throw InputError(place + ": there is no electrode '" + name +
-                   "'; known: " + comma_separated(known));
+  throw InputError(place + ": there is no electrode '" + name + "'" + known_ones(name, known));
 }
 
 template <int dim>

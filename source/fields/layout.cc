@@ -1,3 +1,4 @@
+#include <thelma/base/complaints.h>
 #include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
 #include <thelma/fields/duplicates.h>
@@ -51,14 +52,20 @@ template <int dim>
 void FieldLayout<dim>::setup(const Mesh<dim>& mesh, const MaterialLibrary& materials)
 {
   const std::vector<std::string>& regions = mesh.regions();
+  Complaints complaints;
+  const auto require_region = [&](const std::string& entry, const std::string& name) {
+    if (std::find(regions.begin(), regions.end(), name) == regions.end())
+      complaints.add("section Regions, entry '" + entry + "': the mesh has no region '" + name +
+                     "'" + known_ones(name, regions));
+  };
   for (const std::string& name : passive_regions)
-    if (std::find(regions.begin(), regions.end(), name) == regions.end())
-      throw InputError("section Regions, entry 'Passive': the mesh has no region '" + name +
-                       "'; known: " + comma_separated(regions));
+    require_region("Passive", name);
   for (const std::string& name : materials.regions())
-    if (std::find(regions.begin(), regions.end(), name) == regions.end())
-      throw InputError("section Regions, entry 'Materials': the mesh has no region '" + name +
-                       "'; known: " + comma_separated(regions));
+    require_region("Materials", name);
+  complaints.raise(); // a region whose name is misspelt has no material
+  for (const std::string& name : regions)
+    complaints.allow([&]() { materials.of_region(name); });
+  complaints.raise();
 
   const auto is_passive = [&](const std::string& region) {
     return std::find(passive_regions.begin(), passive_regions.end(), region) !=

@@ -1,3 +1,4 @@
+#include <thelma/base/error.h>
 #include <thelma/materials/list.h>
 
 namespace thelma
@@ -46,9 +47,6 @@ MaterialLibrary::MaterialLibrary(const ParameterFile& file)
   file.peek([&](dealii::ParameterHandler& prm) { declare_regions(prm); });
   for (const auto& [region, name] : material_of_region)
     materials[name];
-  if (materials.empty())
-    throw InputError(file.name() + ", section Regions: 'Materials' is empty or missing; write "
-                                   "`set Materials = region: material`");
   for (auto& [name, entry] : materials) {
     file.peek([&, &name = name, &entry = entry](dealii::ParameterHandler& prm) {
       declare_laws(prm, name, entry);
@@ -93,6 +91,9 @@ void MaterialLibrary::declare(dealii::ParameterHandler& prm)
 
 void MaterialLibrary::check(const double theta) const
 {
+  if (materials.empty())
+    throw InputError("section Regions, entry 'Materials': it is empty or missing; write `set "
+                     "Materials = region: material`");
   for (const auto& [name, entry] : materials) {
     const auto require_positive = [&, &name = name](const std::string& what, const double value) {
       if (!(value > 0.))
@@ -132,8 +133,8 @@ const Material& MaterialLibrary::named(const std::string& name) const
   const auto found = materials.find(name);
   if (found != materials.end())
     return *found->second.material;
-  throw InputError("section Materials: unknown material '" + name +
-                   "'; known: " + comma_separated(names()));
+  throw InputError("section Materials: unknown material '" + name + "'" +
+                   known_ones(name, names()));
 }
 
 std::vector<std::string> MaterialLibrary::names() const

@@ -1,3 +1,4 @@
+#include <thelma/base/quantity.h>
 #include <thelma/materials/thermal.h>
 
 namespace thelma
@@ -5,14 +6,12 @@ namespace thelma
 
 void Thermal::declare(dealii::ParameterHandler& prm)
 {
-  using dealii::Patterns::Double;
-  prm.add_parameter("Bulk modulus", K, "K in MPa; default 1000 mu(293 K).");
-  prm.add_parameter("Thermal expansion", alpha, "Linear coefficient alpha in 1/K.");
-  prm.add_parameter("Reference temperature", theta_0,
-                    "theta_0 in K, where the material is free of stress at F = I.", Double(1.));
-  prm.add_parameter("Heat capacity", c, "Per reference volume, c in MPa/K (1 MJ/(m^3 K)).",
-                    Double(0.));
-  prm.add_parameter("Conductivity", k, "k in N/(s K) (1 W/(m K)).", Double(0.));
+  add_quantity(prm, "Bulk modulus", K, "K; default 1000 mu(293 K).", Quantity("MPa"));
+  add_quantity(prm, "Thermal expansion", alpha, "Linear coefficient alpha.", Quantity("1/K"));
+  add_quantity(prm, "Reference temperature", theta_0,
+               "theta_0, where the material is free of stress at F = I.", Quantity("K", 1.));
+  add_quantity(prm, "Heat capacity", c, "c, per reference volume.", Quantity("MJ/(m^3 K)", 0.));
+  add_quantity(prm, "Conductivity", k, "k.", Quantity("W/(m K)", 0.));
 }
 
 HeatFlux Thermal::heat_flux(const Kinematics<>& kin, const Tensor3<1>& grad_theta) const

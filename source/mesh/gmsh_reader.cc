@@ -65,7 +65,7 @@ void set_parameters(const std::string& file, const std::map<std::string, double>
   for (const auto& [name, value] : parameters) {
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw InputError("section Mesh, entry 'Parameters': '" + file + "' has no parameter '" +
-                       name + "'; known: " + comma_separated(known));
+                       name + "'" + known_ones(name, known));
     gmsh::onelab::setNumber(name, {value});
   }
 }

@@ -2,6 +2,7 @@
 #include <thelma/base/error.h>
 #include <thelma/base/formula.h>
 #include <thelma/base/parameters.h>
+#include <thelma/base/quantity.h>
 #include <thelma/mesh/mesh.h>
 
 #include <deal.II/base/mpi.h>
@@ -67,9 +68,10 @@ void Mesh<dim>::declare(dealii::ParameterHandler& prm)
       "A gmsh geometry (.geo) or mesh (.msh) in mm, with named physical groups; looked "
       "up from the working directory, then from the parameter file.",
       Anything());
-  prm.add_parameter("Parameters", parameters,
-                    "Values for the geometry's parameters, as `L1: 5, n1: 2`.",
-                    Map(Anything(), Double(), 0, 100));
+  add_quantity(prm, "Parameters", parameters,
+               "Values for the geometry's parameters, as `L1: 5, n1: 2`; of numbers without unit "
+               "too.",
+               Quantity("mm"));
   prm.add_parameter("Refinements", refinements,
                     "How often every cell is halved in each direction after meshing.",
                     Integer(0, 20));
@@ -77,10 +79,10 @@ void Mesh<dim>::declare(dealii::ParameterHandler& prm)
                     "Where edges between vertices are arcs: `nowhere`, or all of them `around x2`, "
                     "the axis of a tube.",
                     Selection("nowhere|around x2"));
-  prm.add_parameter("Imperfection", imperfection,
-                    "Amplitude in mm of the displacement of the vertices before the calculation "
-                    "starts, so that the body leaves an unstable straight path.",
-                    Double());
+  add_quantity(prm, "Imperfection", imperfection,
+               "Amplitude of the displacement of the vertices before the calculation starts, so "
+               "that the body leaves an unstable straight path.",
+               Quantity("mm"));
   prm.add_parameter("Imperfection shape", imperfection_shape,
                     "Its three components as muParser expressions of x1, x2, x3 in mm, as `(1 - "
                     "cos(2*pi*x3/20))/2; 0; 0`; multiplied by the amplitude.",
@@ -122,9 +124,13 @@ void Mesh<dim>::create_triangulation(const CoarseMesh& coarse)
     }
   dealii::GridTools::invert_all_negative_measure_cells(vertices, cells);
   dealii::GridTools::consistently_order_cells(cells);
+  check_shapes(vertices, cells, "");
   if (imperfection != 0.) {
     displace(vertices);
-    check_orientation(vertices, cells);
+    check_shapes(vertices, cells,
+                 "section Mesh, entry 'Imperfection': the amplitude of " +
+                     dealii::Patterns::Tools::to_string(imperfection) +
+                     " mm turns a cell inside out; choose a smaller one or a smoother shape");
   }
   tria.create_triangulation(vertices, cells, dealii::SubCellData());
   if (is_curved()) {
@@ -155,23 +161,45 @@ void Mesh<dim>::displace(std::vector<dealii::Point<dim>>& vertices) const
   }
 }
 
-/// A cell is sound as long as its Jacobian is positive at every vertex.
+/// A cell is sound as long as its Jacobian is positive at every vertex. Its shape there is the
+/// Jacobian over the product of the lengths of the edges: 1 in a box, 0 where it is flat.
 template <int dim>
-void Mesh<dim>::check_orientation(const std::vector<dealii::Point<dim>>& vertices,
-                                  const std::vector<dealii::CellData<dim>>& cells) const
+void Mesh<dim>::check_shapes(const std::vector<dealii::Point<dim>>& vertices,
+                             const std::vector<dealii::CellData<dim>>& cells,
+                             const std::string& complaint)
 {
   constexpr unsigned int n = dealii::GeometryInfo<dim>::vertices_per_cell;
+  worst_shape = 1.;
+  unsigned int n_bad = 0;
+  const dealii::CellData<dim>* bad = nullptr;
   for (const dealii::CellData<dim>& cell : cells) {
     dealii::Point<dim> corners[n];
     dealii::Tensor<0, dim> volumes[n];
     for (unsigned int v = 0; v < n; ++v)
       corners[v] = vertices[cell.vertices[v]];
     dealii::GeometryInfo<dim>::alternating_form_at_vertices(corners, volumes);
-    if (!std::all_of(volumes, volumes + n, [](const double volume) { return volume > 0.; }))
-      throw InputError("section Mesh, entry 'Imperfection': the amplitude of " +
-                       dealii::Patterns::Tools::to_string(imperfection) +
-                       " mm turns a cell inside out; choose a smaller one or a smoother shape");
+    double shape = 1.;
+    for (unsigned int v = 0; v < n; ++v) {
+      double edges = 1.;
+      for (unsigned int d = 0; d < dim; ++d)
+        edges *= corners[v].distance(corners[v ^ (1u << d)]);
+      shape = std::min(shape, edges > 0. ? double(volumes[v]) / edges : 0.);
+    }
+    worst_shape = std::min(worst_shape, shape);
+    if (!(shape > 1e-6)) {
+      ++n_bad;
+      bad = bad == nullptr ? &cell : bad;
+    }
   }
+  if (n_bad > 0)
+    throw InputError(!complaint.empty()
+                         ? complaint
+                         : "section Mesh, entry 'File': " + std::to_string(n_bad) + " of " +
+                               std::to_string(cells.size()) +
+                               " cells are flat or turned inside out, one of them in the region '" +
+                               region_names[bad->material_id] + "' at " +
+                               dealii::Patterns::Tools::to_string(vertices[bad->vertices[0]]) +
+                               " mm; mend the geometry or its parameters");
 }
 
 template <int dim>
@@ -208,8 +236,8 @@ const std::vector<typename Mesh<dim>::Entity>& Mesh<dim>::surface(const std::str
 {
   const auto found = surfaces.find(name);
   if (found == surfaces.end())
-    throw InputError(place + ": the mesh has no surface '" + name +
-                     "'; known: " + comma_separated(surface_names()));
+    throw InputError(place + ": the mesh has no surface '" + name + "'" +
+                     known_ones(name, surface_names()));
   return found->second;
 }
 

@@ -1,3 +1,4 @@
+#include <thelma/base/quantity.h>
 #include <thelma/output/points.h>
 
 #include <deal.II/base/mpi.h>
@@ -16,12 +17,12 @@ class Breakdown final : public Observable<dim>
 public:
   void declare(dealii::ParameterHandler& prm) override
   {
-    prm.add_parameter("Breakdown field", breakdown,
-                      "Electric field in kV/mm of the deformed body that the material stands. An "
-                      "acrylic of deformed thickness h (mm) and in-plane stretch lambda stands 51 "
-                      "h^-0.25 lambda^0.63 (Huang et al. 2012, doi:10.1063/1.4754549); the default "
-                      "is that of 1 mm, not stretched.",
-                      dealii::Patterns::Double(1e-12));
+    add_quantity(prm, "Breakdown field", breakdown,
+                 "Electric field of the deformed body that the material stands. An acrylic of "
+                 "deformed thickness h (mm) and in-plane stretch lambda stands 51 h^-0.25 "
+                 "lambda^0.63 (Huang et al. 2012, doi:10.1063/1.4754549); the default is that of "
+                 "1 mm, not stretched.",
+                 Quantity("kV/mm", 1e-12));
   }
 
   void setup(const Scene<dim>& scene) override { points.setup(scene); }

@@ -22,8 +22,7 @@ const NamedList<Observable<dim>>& observables()
     for (unsigned int i = 0; i < dim; ++i)
       entries.emplace_back("lambda_" + std::to_string(axis<dim>(i) + 1),
                            [i]() { return make_stretch<dim>(i); });
-    return NamedList<Observable<dim>>("section Output, entry 'Observables': unknown observable",
-                                      entries);
+    return NamedList<Observable<dim>>("unknown observable", entries);
   }();
   return list;
 }

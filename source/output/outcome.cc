@@ -1,3 +1,4 @@
+#include <thelma/base/error.h>
 #include <thelma/base/formula.h>
 #include <thelma/base/parameters.h>
 #include <thelma/output/outcome.h>
@@ -36,8 +37,8 @@ void Expectations::setup(const std::vector<std::string>& columns, const double t
   const std::string place = "section Expectations, entry 'Final values'";
   for (const auto& [column, expression] : values) {
     if (std::find(columns.begin(), columns.end(), column) == columns.end())
-      throw InputError(place + ": the curve has no column '" + column +
-                       "'; known: " + comma_separated(columns));
+      throw InputError(place + ": the curve has no column '" + column + "'" +
+                       known_ones(column, columns));
     const Formula<1> formula(place + ", " + column, expression, "theta");
     expected[column] = formula(dealii::Point<1>(theta));
   }

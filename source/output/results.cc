@@ -1,3 +1,4 @@
+#include <thelma/base/complaints.h>
 #include <thelma/base/version.h>
 #include <thelma/output/results.h>
 #include <thelma/output/run_report.h>
@@ -8,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace thelma
@@ -23,8 +25,15 @@ Results<dim>::Results(const MPI_Comm comm, const ParameterFile& file, std::strin
     const Section section(choices, {"Output"});
     choices.add_parameter("Observables", observed_names);
   });
+  const std::vector<std::string> known = observables<dim>().names();
   for (const std::string& name : observed_names)
-    observed.emplace_back(name, observables<dim>().create(name));
+    if (std::find(known.begin(), known.end(), name) != known.end())
+      observed.emplace_back(name, observables<dim>().create(name));
+  // An unknown name is complained about once: no section is unknown because of it.
+  if (observed.size() < observed_names.size())
+    for (const std::string& name : known)
+      if (std::find(observed_names.begin(), observed_names.end(), name) == observed_names.end())
+        meant.emplace_back(name, observables<dim>().create(name));
   observed_names.clear(); // the declared default
 }
 
@@ -36,13 +45,25 @@ void Results<dim>::declare(dealii::ParameterHandler& prm)
     prm.add_parameter("Observables", observed_names,
                       "Columns of curve.csv beside the load; known: " +
                           comma_separated(observables<dim>().names()) + ".");
+    prm.add_action("Observables", [](const std::string& names) {
+      for (const std::string& name : dealii::Utilities::split_string_list(names))
+        observables<dim>().create(name); // answers an unknown one
+    });
   }
   fields.declare(prm);
   expectations.declare(prm);
-  for (const auto& [name, observable] : observed) {
-    const Section section(prm, {"Observables", name});
-    observable->declare(prm);
-  }
+  for (const auto* list : {&observed, &meant})
+    for (const auto& [name, observable] : *list) {
+      const Section section(prm, {"Observables", name});
+      observable->declare(prm);
+    }
+}
+
+/// Where the deformation is solved for with the temperature, the system is not symmetric.
+template <int dim>
+static bool has_stability(const Scene<dim>& scene)
+{
+  return !scene.layout.has(Field::temperature) || scene.layout.is_transient();
 }
 
 template <int dim>
@@ -51,18 +72,20 @@ void Results<dim>::setup(const Scene<dim>& scene, const double theta)
   std::vector<std::string> columns{"step", "load", "voltage_kV", "e", "theta_K"};
   if (scene.layout.is_transient())
     columns.insert(columns.begin() + 2, "time_s");
+  Complaints complaints;
   for (const auto& entry : observed) {
-    entry.second->setup(scene);
+    complaints.allow([&]() { entry.second->setup(scene); });
     for (const std::string& column : entry.second->columns())
       columns.push_back(column);
   }
   columns.emplace_back("min_det_F");
-  if (scene.system.knows_stability())
+  if (has_stability(scene))
     columns.emplace_back("unstable_directions");
   columns.emplace_back("newton_iterations");
   columns.emplace_back("seconds");
   curve = std::make_unique<Curve>(columns);
-  expectations.setup(columns, theta);
+  complaints.allow([&]() { expectations.setup(columns, theta); });
+  complaints.raise();
 }
 
 template <int dim>
@@ -112,8 +135,9 @@ void Results<dim>::add(const Scene<dim>& scene, const PathPoint& point, const Ne
     for (const double value : entry.second->evaluate(scene))
       row.push_back(value);
   row.push_back(report.min_det_F);
-  if (scene.system.knows_stability())
-    row.push_back(static_cast<double>(point.unstable_directions));
+  if (has_stability(scene))
+    row.push_back(scene.system.knows_stability() ? static_cast<double>(point.unstable_directions)
+                                                 : std::numeric_limits<double>::quiet_NaN());
   row.push_back(report.iterations);
   row.push_back(stopwatch.seconds());
   curve->add(row);
@@ -131,8 +155,8 @@ void Results<dim>::require_column(const std::string& column, const std::string& 
     for (const std::string& name : entry.second->columns())
       known.push_back(name);
   if (std::find(known.begin(), known.end(), column) == known.end())
-    throw InputError(place + ": no observable has the column '" + column +
-                     "'; known: " + comma_separated(known));
+    throw InputError(place + ": no observable has the column '" + column + "'" +
+                     known_ones(column, known));
 }
 
 template <int dim>

@@ -1,5 +1,6 @@
 #include <thelma/base/axes.h>
 #include <thelma/base/error.h>
+#include <thelma/base/quantity.h>
 #include <thelma/output/observables.h>
 
 #include <deal.II/base/mpi.h>
@@ -26,7 +27,8 @@ public:
 
   void declare(dealii::ParameterHandler& prm) override
   {
-    prm.add_parameter("Section", position, "X3 of the section in mm; nodes must lie on it.");
+    add_quantity(prm, "Section", position, "X3 of the section; nodes must lie on it.",
+                 Quantity("mm"));
   }
 
   void setup(const Scene<dim>& scene) override

@@ -1,4 +1,5 @@
 #include <thelma/base/axes.h>
+#include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
 #include <thelma/output/observables.h>
 

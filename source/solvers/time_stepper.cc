@@ -1,4 +1,5 @@
 #include <thelma/base/parameters.h>
+#include <thelma/base/quantity.h>
 #include <thelma/solvers/time_stepper.h>
 
 #include <algorithm>
@@ -11,17 +12,17 @@ void TimeStepper::declare(dealii::ParameterHandler& prm)
 {
   using namespace dealii::Patterns;
   const Section section(prm, {"Time"});
-  prm.add_parameter("End", end, "Where a transient run ends, in s.", Double(1e-12));
+  add_quantity(prm, "End", end, "Where a transient run ends.", Quantity("s", 1e-12));
   prm.add_parameter("Scheme", scheme,
                     "`BDF2`: backward differences of second order, begun with one step of the "
                     "first; `backward Euler`: of first order.",
                     Selection("BDF2|backward Euler"));
-  prm.add_parameter("Initial step", initial, "First time step in s.", Double(1e-15));
-  prm.add_parameter("Largest step", largest, "Largest time step in s.", Double(1e-15));
-  prm.add_parameter("Tolerance", tolerance,
-                    "Error of the temperature in K that one time step may make (root mean square "
-                    "over the nodes); 0: every step is as long as the first.",
-                    Double(0.));
+  add_quantity(prm, "Initial step", initial, "First time step.", Quantity("s", 1e-15));
+  add_quantity(prm, "Largest step", largest, "Largest time step.", Quantity("s", 1e-15));
+  add_quantity(prm, "Tolerance", tolerance,
+               "Error of the temperature that one time step may make (root mean square over the "
+               "nodes); 0: every step is as long as the first.",
+               Quantity("K", 0.).of_difference());
 }
 
 void TimeStepper::start(const std::vector<double>& kinks)

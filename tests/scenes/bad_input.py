@@ -14,11 +14,94 @@ Box(1) = {0, 0, 0, 5, 5, 1};
 Physical Volume("film") = {1};
 """
 
+BOX = """Point({0}) = {{{1}, 0, 0}};
+l{0}[] = Extrude {{5, 0, 0}} {{ Point{{{0}}}; Layers{{1}}; }};
+a{0}[] = Extrude {{0, 5, 0}} {{ Line{{l{0}[1]}}; Layers{{1}}; Recombine; }};
+b{0}[] = Extrude {{0, 0, 1}} {{ Surface{{a{0}[1]}}; Layers{{1}}; Recombine; }};
+"""
+SIDES = """Physical Volume("film") = b1[1];
+Physical Surface("bottom") = a1[1];
+Physical Surface("top") = b1[0];
+Physical Surface("x2_min") = b1[2];
+Physical Surface("x1_max") = b1[3];
+Physical Surface("x1_min") = b1[5];
+"""
+TWO_BODIES = BOX.format(1, 0) + BOX.format(100, 20) + SIDES + """Physical Volume("loose") = b100[1];
+"""
+STRAY = BOX.format(1, 0) + SIDES + """Point(100) = {20, 0, 0};
+Point(101) = {21, 0, 0};
+Line(100) = {100, 101};
+Transfinite Curve {100} = 2;
+Physical Curve("stray") = {100};
+"""
+BOW_TIE = """Point(1) = {0, 0, 0};
+Point(2) = {1, 1, 0};
+Point(3) = {1, 0, 0};
+Point(4) = {0, 1, 0};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Transfinite Surface {1};
+Transfinite Curve {1, 2, 3, 4} = 2;
+Recombine Surface {1};
+b1[] = Extrude {0, 0, 1} { Surface{1}; Layers{1}; Recombine; };
+Physical Volume("film") = b1[1];
+Physical Surface("bottom") = 1;
+Physical Surface("top") = b1[0];
+"""
+
+# Faults of one file, and what the sentences, with its lines, must say.
+SEVERAL = """subsection Mesh
+  set File = {source}/meshes/box.geo
+end
+subsection Regions
+  set Materials = film: elastomer
+end
+subsection Newton
+  set Tolerence = 1
+end
+subsection Supports
+  set Fixed = x1_min: u1, x9: u2
+end
+subsection Electrodes
+  set Potential = bottom: 0, top: 1, x2_max: 2
+end
+subsection Temperature
+  set Value = 3 V
+end
+subsection Output
+  set Observables = lambda3, reaction
+end
+subsection Observables
+  subsection reaction
+    set At = nowhere
+  end
+end
+"""
+SENTENCES = [(":8, section Newton", "did you mean 'Tolerance'?"), (":17,", "a voltage"),
+             (":20, section Output, entry 'Observables'", "did you mean 'lambda_3'?"),
+             (":11, section Supports, entry 'Fixed'", "'x9'"),
+             (":14, section Electrodes, entry 'Potential'", "short circuit"),
+             (":24, section Observables/reaction", "'nowhere'")]
+
 # What is wrong, the options that make it so, and what the sentence must say.
 CASES = [
-    ("unknown entry", ["--set", "Newton/Tolerence=1"], ["'Tolerence'", "Tolerance"]),
-    ("unknown section", ["--set", "Newtn/Tolerance=1"], ["'Newtn'", "Newton"]),
-    ("malformed value", ["--set", "Newton/Tolerance=small"], ["'small'", "Double"]),
+    ("unknown entry", ["--set", "Newton/Tolerence=1"],
+     ["'Tolerence'", "did you mean 'Tolerance'?"]),
+    ("unknown section", ["--set", "Newtn/Tolerance=1"], ["'Newtn'", "did you mean 'Newton'?"]),
+    ("entry of another section", ["--set", "Newton/Film thickness=1"],
+     ["'Film thickness'", "section Loading"]),
+    ("wrong dimension", ["--set", "Temperature/Value=353 kPa"],
+     ["'353 kPa' is a pressure but must be a temperature", "K"]),
+    ("wrong dimension of one of several", ["--set", "Mesh/Parameters=L1: 5 mm, L3: 1 kV"],
+     ["'1 kV' is a voltage but must be a length"]),
+    ("unknown unit", ["--set", "Loading/Film thickness=40 thou"], ["'thou'", "no unit", "mm"]),
+    ("voltage where e is controlled", ["--set", "Loading/Target=18.2 kV"],
+     ["command line", "Target", "'18.2 kV' is a voltage but must be a plain number", "Control"]),
+    ("malformed value", ["--set", "Newton/Tolerance=small"], ["'small'", "number from 1e-14 to 1"]),
     ("unknown region", ["--set", "Regions/Materials=foam: elastomer"], ["'foam'", "film"]),
     ("unknown surface", ["--set", "Supports/Fixed=x9: u1"], ["'x9'", "x1_min"]),
     ("unknown material", ["--set", "Loading/Film material=rubber"], ["'rubber'", "elastomer"]),
@@ -40,7 +123,29 @@ CASES = [
      ["reaction", "'x9'", "x1_min"]),
     ("negative modulus", ["--set", "Materials/elastomer/Shear modulus=-1"],
      ["Shear modulus", "-1", "positive"]),
+    ("short circuit", ["--set", "Electrodes/Potential=bottom: 0, top: 1, x1_max: 1"],
+     ["command line", "'x1_max' touches 'bottom'", "short circuit"]),
+    ("body that can move", ["--set", "Supports/Fixed=x1_min: u1, bottom: u3"],
+     ["'film' floats", "move along x2", "fix more"]),
+    ("body without support", ["--set", "Mesh/File={folder}/two_bodies.geo", "--set",
+                              "Mesh/Parameters=", "--set",
+                              "Regions/Materials=film: elastomer, loose: elastomer"],
+     ["'loose' floats", "another body"]),
+    ("cells inside out", ["--set", "Mesh/File={folder}/bow_tie.geo", "--set", "Mesh/Parameters="],
+     ["cells are flat or turned inside out", "film", "mm"]),
+    ("surface without cells", ["--set", "Mesh/File={folder}/stray.geo", "--set",
+                               "Mesh/Parameters="], ["'stray'", "no cell"]),
     ("no ground electrode", ["--set", "Electrodes/Potential=top: 1"], ["ground", "0"]),
+    ("unreadable force", ["--set", "Loads/Force=top: 1 0", "--set", "Loading/Stages=force 1"],
+     ["Force", "'1 0'", "3 components"]),
+    ("force on an unknown surface", ["--set", "Loads/Force=x9: 1 0 0"], ["'x9'", "x1_min"]),
+    ("no force to apply", ["--set", "Loading/Stages=force 1"], ["Stages", "Loads", "Force"]),
+    ("controlled displacement that is held",
+     ["--set", "Stepping/Controlled displacement=bottom: u3",
+      "--set", "Stepping/Continuation=automatic"], ["Controlled displacement", "bottom", "free"]),
+    ("controlled displacement without a path",
+     ["--set", "Stepping/Controlled displacement=top: u3"],
+     ["Controlled displacement", "Continuation"]),
     ("convection into nowhere", ["--set", "Temperature/Model=transient",
                                  "--set", "Heat/Convection=top: 1"],
      ["'top'", "Convection", "Surroundings"]),
@@ -75,20 +180,41 @@ def complaint(program, options, ranks):
     return done.returncode, done.stderr
 
 
+def sentences(text):
+    """The lines of standard error that are the program's."""
+    # Open MPI's hwloc speaks up where /sys is not mounted.
+    return [line for line in text.splitlines() if line.strip() and not line.startswith("[hwloc/")]
+
+
+def check_several(program, folder, all_ranks):
+    """All faults of a file at once, each with its line."""
+    (folder / "several.prm").write_text(SEVERAL.format(source=program.source.resolve()))
+    for ranks in all_ranks:
+        code, text = complaint(program, ["--check", f"{folder}/several.prm"], ranks)
+        print(f"several at once ({ranks}):\n{text.strip()}")
+        require(code == 1, f"exit code {code}, not 1")
+        lines = sentences(text)
+        require(len(lines) == len(SENTENCES), f"{len(lines)} sentences, not {len(SENTENCES)}")
+        for place, words in SENTENCES:
+            require(any(place in line and words in line for line in lines), f"no {place} {words}")
+
+
 def main():
     program, all_ranks = program_and_ranks(__doc__)
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "tetrahedra.geo").write_text(TETRAHEDRA)
         (Path(folder) / "broken.geo").write_text("Point(1) = {0, 0\n")
+        (Path(folder) / "two_bodies.geo").write_text(TWO_BODIES)
+        (Path(folder) / "bow_tie.geo").write_text(BOW_TIE)
+        (Path(folder) / "stray.geo").write_text(STRAY)
+        check_several(program, Path(folder), all_ranks)
         for name, options, words in CASES:
             arguments = ["nothing.prm"] if options is None else [
                 "prm/planar_actuator.prm", "--output", f"{folder}/out",
                 *[option.format(folder=folder) for option in options]]
             for ranks in all_ranks:
                 code, text = complaint(program, arguments, ranks)
-                # Open MPI's hwloc speaks up where /sys is not mounted.
-                lines = [line for line in text.splitlines()
-                         if line.strip() and not line.startswith("[hwloc/")]
+                lines = sentences(text)
                 print(f"{name} ({ranks}): {text.strip()}")
                 require(code == 1, f"{name} on {ranks} ranks: exit code {code}, not 1")
                 require(len(lines) == 1, f"{name} on {ranks} ranks: {len(lines)} lines, not one")

@@ -17,8 +17,9 @@ Outcome run_scene(MPI_Comm comm, const ParameterFile& file, const std::string& f
 /// Whether @p folder already holds what run_scene() would write.
 bool is_finished(const ParameterFile& file, const std::string& folder);
 
-/// Read and set up the scene without running it.
-void check_scene(MPI_Comm comm, const ParameterFile& file);
+/// Read and set up the scene without running it; throws InputError with all problems, else a
+/// sentence about the mesh.
+std::string check_scene(MPI_Comm comm, const ParameterFile& file);
 
 /// Every entry of a three-dimensional scene with one material, with default, unit and meaning.
 std::string default_parameters();

@@ -19,15 +19,26 @@ enum class ExitCode {
 };
 
 /// The user asked for something impossible; what() is one sentence that names the place, the value
-/// and the remedy. Thrown by every rank of a run alike, so that none waits for the others.
+/// and the remedy, or several, one to a line. Thrown by every rank of a run alike, so that none
+/// waits for the others. A sentence that begins with `section A/B, entry 'C': ` gets the line of
+/// the parameter file added.
 class InputError : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
+  explicit InputError(const std::vector<std::string>& sentences);
+
+  std::vector<std::string> sentences() const;
 };
 
 /// `a, b, c`, the tail of every "known ones are" sentence.
 std::string comma_separated(const std::vector<std::string>& words);
+
+/// The one of @p known that @p word is most likely a misspelling of; empty if there is none.
+std::string closest(const std::string& word, const std::vector<std::string>& known);
+
+/// `; did you mean 'b'? Known: a, b, c`, the end of a sentence about an unknown @p word.
+std::string known_ones(const std::string& word, const std::vector<std::string>& known);
 
 /// Run @p action on rank 0 of @p comm alone and let every rank throw the InputError it may have
 /// thrown.

@@ -31,7 +31,7 @@ public:
     for (const auto& [known, factory] : entries)
       if (known == name)
         return factory();
-    throw InputError(kind + " '" + name + "'; known: " + comma_separated(names()));
+    throw InputError(kind + " '" + name + "'" + known_ones(name, names()));
   }
 
   std::vector<std::string> names() const

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <thelma/base/statements.h>
+
 #include <deal.II/base/parameter_handler.h>
 
 #include <functional>
@@ -23,9 +25,10 @@ struct Override {
 
 /// A .prm file and the overrides that follow it.
 ///
-/// Classes declare their own entries with ParameterHandler::add_parameter, which binds a member to
-/// an entry. Entries that depend on a choice (the laws of a material) become known in two steps:
-/// peek() reads the choices leniently, then everything is declared and read() is strict.
+/// Classes declare their own entries with ParameterHandler::add_parameter or, if they have a unit,
+/// add_quantity, which bind a member to an entry. Entries that depend on a choice (the laws of a
+/// material) become known in two steps: peek() reads the choices leniently, then everything is
+/// declared and read() is strict.
 class ParameterFile
 {
 public:
@@ -38,17 +41,22 @@ public:
   /// Read only what @p declare declares, ignore everything else.
   void peek(const std::function<void(dealii::ParameterHandler&)>& declare) const;
 
-  /// Read every entry into @p prm; throws InputError for the first one that is unknown or invalid.
+  /// Read every entry into @p prm. Throws InputError with a sentence for each that is unknown or
+  /// invalid, and for each line that cannot be understood, after it has read all others.
   void read(dealii::ParameterHandler& prm) const;
+
+  /// A complaint about a section with file and line before it; any other as it is.
+  std::string located(const std::string& sentence) const;
 
   const std::string& name() const { return path; }
 
 private:
   ParameterFile() = default;
 
+  std::string place(unsigned int line, const std::vector<std::string>& sections) const;
+
   std::string path;
-  std::string text;
-  unsigned int n_file_lines = 0;
+  Statements statements;
 };
 
 /// Where the @p file named in another one is: seen from the working directory or, if there is none,

@@ -23,6 +23,9 @@ public:
   /// a potential without ground, or for surfaces in regions that carry no field.
   void setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
 
+  /// Throws InputError if a body of the mesh could move without strain.
+  void require_held(const Mesh<dim>& mesh) const;
+
   /// Zero corrections at every prescribed degree of freedom.
   const dealii::AffineConstraints<double>& constraints() const { return homogeneous; }
 

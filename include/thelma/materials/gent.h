@@ -18,7 +18,7 @@ public:
 
   void declare(dealii::ParameterHandler& prm)
   {
-    mu.declare(prm, "Shear modulus", "mu(theta), MPa.");
+    mu.declare(prm, "Shear modulus", "mu(theta).", Quantity("MPa"));
     prm.add_parameter("Gent limit", J_m,
                       "J_m, the value of tr C_EM - 3 at which the chains are stretched out.",
                       dealii::Patterns::Double(1e-12));

@@ -16,7 +16,7 @@ public:
 
   void declare(dealii::ParameterHandler& prm)
   {
-    eps.declare(prm, "Permittivity", "eps(theta), N/kV^2 (1 F/m = 1e6 N/kV^2).");
+    eps.declare(prm, "Permittivity", "eps(theta).", Quantity("N/kV^2"));
   }
 
   /// Permittivity of the undeformed material in N/kV^2.

@@ -16,7 +16,7 @@ public:
 
   void declare(dealii::ParameterHandler& prm)
   {
-    mu.declare(prm, "Shear modulus", "mu(theta) = 2 (C_1 + C_2), MPa.");
+    mu.declare(prm, "Shear modulus", "mu(theta) = 2 (C_1 + C_2).", Quantity("MPa"));
     prm.add_parameter("Second share", m,
                       "C_2/(C_1 + C_2), the part of the second invariant in the shear modulus; 0 "
                       "is neo-Hookean.",

@@ -15,7 +15,7 @@ public:
 
   void declare(dealii::ParameterHandler& prm)
   {
-    mu.declare(prm, "Shear modulus", "mu(theta), MPa.");
+    mu.declare(prm, "Shear modulus", "mu(theta).", Quantity("MPa"));
   }
 
   template <typename Number>

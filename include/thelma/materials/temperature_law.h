@@ -1,12 +1,9 @@
 #pragma once
 
-#include <thelma/base/error.h>
+#include <thelma/base/quantity.h>
 
 #include <deal.II/base/parameter_handler.h>
-#include <deal.II/base/utilities.h>
 
-#include <iomanip>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -21,18 +18,11 @@ public:
   explicit TemperatureLaw(std::vector<double> coefficients) : c(std::move(coefficients)) {}
 
   /// Declares @p entry in the section @p prm stands in; @p what ends "Coefficients ... of <what>".
-  void declare(dealii::ParameterHandler& prm, const std::string& entry, const std::string& what)
+  void declare(dealii::ParameterHandler& prm, const std::string& entry, const std::string& what,
+               const Quantity& quantity)
   {
-    // ParameterHandler::add_parameter would round the default to six digits.
-    std::ostringstream exact;
-    exact << std::setprecision(15);
-    for (std::size_t n = 0; n < c.size(); ++n)
-      exact << (n == 0 ? "" : ", ") << c[n];
-    prm.declare_entry(entry, exact.str(), dealii::Patterns::List(dealii::Patterns::Double(), 1, 10),
-                      "Coefficients c_0, c_1, ... of powers of (1000 K / theta) in " + what);
-    prm.add_action(entry, [this](const std::string& text) {
-      c = dealii::Utilities::string_to_double(dealii::Utilities::split_string_list(text));
-    });
+    add_quantity(prm, entry, c,
+                 "Coefficients c_0, c_1, ... of powers of (1000 K / theta) in " + what, quantity);
   }
 
   template <typename Number>

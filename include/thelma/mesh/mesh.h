@@ -51,6 +51,9 @@ public:
   }
   const std::vector<std::string>& regions() const { return region_names; }
 
+  /// Smallest Jacobian at a vertex over the product of the edges there: 1 in a mesh of boxes.
+  double shape() const { return worst_shape; }
+
   /// Faces, lines or points of the named group, on every cell that has them.
   /// Throws InputError, with @p place in the sentence, when there is no such group.
   const std::vector<Entity>& surface(const std::string& name, const std::string& place) const;
@@ -59,14 +62,15 @@ public:
 private:
   void create_triangulation(const CoarseMesh& coarse);
   void displace(std::vector<dealii::Point<dim>>& vertices) const;
-  void check_orientation(const std::vector<dealii::Point<dim>>& vertices,
-                         const std::vector<dealii::CellData<dim>>& cells) const;
+  void check_shapes(const std::vector<dealii::Point<dim>>& vertices,
+                    const std::vector<dealii::CellData<dim>>& cells, const std::string& complaint);
   void find_entities(const CoarseMesh& coarse);
 
   std::string file, curved = "nowhere";
   std::map<std::string, double> parameters;
   unsigned int refinements = 0;
   double imperfection = 0.; ///< mm
+  double worst_shape = 1.;
   std::vector<std::string> imperfection_shape;
   dealii::parallel::shared::Triangulation<dim> tria;
   std::vector<std::string> region_names;

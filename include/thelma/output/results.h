@@ -81,6 +81,8 @@ private:
   Timings& timings;
   Stopwatch stopwatch;
   std::vector<std::pair<std::string, std::unique_ptr<Observable<dim>>>> observed;
+  std::vector<std::pair<std::string, std::unique_ptr<Observable<dim>>>>
+      meant; ///< by an unknown name
   std::vector<std::string> observed_names;
   FieldWriter<dim> fields;
   Expectations expectations;

@@ -1,0 +1,194 @@
+"""The page: one HTML file with everything in it."""
+
+import json
+from datetime import datetime
+from html import escape
+from pathlib import Path
+
+import plotting
+import stability
+from plotting import matplotlib
+from reporting import data
+
+# The browser itself refuses whatever is not in the page.
+POLICY = ("default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; "
+          "img-src data:")
+HERE = Path(__file__).resolve().parent
+NOT_DRAWN = ("event",)
+SHOWN_FIRST = ("lambda_3", "tip_u1_mm", "centre_u1_mm", "mid_rotation_deg", "lambda_1")
+ABSCISSAS = ("e", "voltage_kV", "time_s", "load", "step")
+
+
+def html(directory, runs, shapes):
+    """The text of the page."""
+    title = f"Thelma: {directory.resolve().name}"
+    sections = [summary(runs), curves(runs), gallery(shapes), convergence(runs), estimates(runs),
+                parameters(runs), timings(runs), provenance(runs)]
+    return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">\n'
+            f'<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+            f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">\n'
+            f'<link rel="icon" href="data:,">\n<title>{escape(title)}</title>\n'
+            f"<style>\n{(HERE / 'page.css').read_text()}</style></head><body>\n"
+            f"<h1>{escape(title)}</h1>\n" + "\n".join(sections)
+            + f"\n<script>\n{(HERE / 'chart.js').read_text()}</script></body></html>\n")
+
+
+def table(header, rows):
+    """An HTML table; numbers to the right."""
+    def cell(value, tag="td"):
+        text = f"{value:.6g}" if isinstance(value, float) else str(value)
+        kind = ' class="n"' if isinstance(value, (int, float)) else ""
+        return f"<{tag}{kind}>{escape(text)}</{tag}>"
+
+    head = "".join(cell(name, "th") for name in header)
+    body = "".join(f"<tr>{''.join(cell(value) for value in row)}</tr>\n" for row in rows)
+    return f"<table><thead><tr>{head}</tr></thead><tbody>\n{body}</tbody></table>"
+
+
+def section(title, content):
+    """A part of the page, or nothing."""
+    return f"<section><h2>{escape(title)}</h2>\n{content}\n</section>" if content else ""
+
+
+def summary(runs):
+    """How each run ended."""
+    rows = []
+    for run in runs:
+        report, pull_in = run.report, run.report.get("pull_in")
+        bracket = f"{pull_in['e_below']:.6g} to {pull_in['e_above']:.6g}" if pull_in else ""
+        ending = ": ".join(filter(None, (report.get("outcome"), report.get("reason"))))
+        rows.append((run.label, report.get("exit_code", run.case.exit_code),
+                     ending or run.case.outcome or "no run.json", bracket,
+                     report.get("steps", ""), float(report.get("seconds", 0))))
+    failed = sum(run.failed for run in runs)
+    words = f"{len(runs)} run{'s' if len(runs) > 1 else ''}, " + (
+        f"{failed} not as expected." if failed else "all as expected.")
+    head = ("run", "exit code", "outcome", "pull-in between e", "steps", "seconds")
+    return section("Outcome", f"<p>{words}</p>" + table(head, rows))
+
+
+def color(index, count):
+    """Cold to hot in the order of the study."""
+    return matplotlib.colors.to_hex(plotting.COLD_TO_HOT(index / max(count - 1, 1)))
+
+
+def series(runs):
+    """What the script draws."""
+    result = []
+    for index, run in enumerate(runs):
+        events = run.columns.get("event", [])
+        numbers = {name: values for name, values in run.columns.items()
+                   if name not in NOT_DRAWN and values and not isinstance(values[0], str)}
+        if not numbers:
+            continue
+        rows = len(next(iter(numbers.values())))
+        events = events or [""] * rows
+        unstable = [value or 0 for value in numbers.get("unstable_directions", [0] * rows)]
+        result.append({"label": run.label, "color": color(index, len(runs)), "columns": numbers,
+                       "events": events,
+                       "unstable": stability.unstable_pieces(unstable, events)})
+    return result
+
+
+def chart(identity, drawn, x, y, options=""):
+    """A place for the script to draw in, with its data."""
+    text = json.dumps({"series": drawn, "x": x, "y": y}).replace("</", "<\\/")
+    return (f'<div class="chart" id="{identity}"{options}></div>\n'
+            f'<script type="application/json" data-for="{identity}">{text}</script>')
+
+
+def first_of(names, known):
+    """The first name that is known, else the first known one."""
+    return next((name for name in names if name in known), next(iter(known)))
+
+
+def curves(runs):
+    """Any column against any other."""
+    drawn = series(runs)
+    if not drawn:
+        return ""
+    known = {name: None for one in drawn for name in one["columns"]}
+    x = first_of(("time_s", *ABSCISSAS) if "time_s" in known else ABSCISSAS, known)
+    observed = [name for name in known if name not in (*ABSCISSAS, "theta_K")]
+    y = first_of((*SHOWN_FIRST, *observed), known)
+    hint = ("<p>Solid: stable. Dashed: unstable. Circle: limit point or pull-in; square: bifurcation. "
+            "Drag to zoom, double-click to see everything, hover for numbers, click a run in the "
+            "legend to hide it.</p>")
+    return section("Curves", hint + chart("curves", drawn, x, y, ' data-choose="yes"'))
+
+
+def gallery(shapes):
+    """Deformed bodies."""
+    figures = "".join(
+        f'<figure><img alt="deformed shape, {escape(label)}" '
+        f'src="data:image/png;base64,{png}"><figcaption><b>{escape(label)}</b><br>{escape(words)}'
+        "</figcaption></figure>\n" for label, (png, words) in shapes.items())
+    return section("Deformed shapes", figures and f'<div class="gallery n{min(len(shapes), 3)}">'
+                   f"{figures}</div>")
+
+
+def convergence(runs):
+    """Newton's iterations and the size of the steps."""
+    drawn = [one for one in series(runs) if "newton_iterations" in one["columns"]]
+    if not drawn:
+        return ""
+    numbers = [(run.label, run.report.get("steps", 0), run.report.get("failed_steps", 0),
+                run.report.get("newton_iterations", 0), run.report.get("factorisations", 0))
+               for run in runs if run.report]
+    head = ("run", "steps", "failed steps", "Newton iterations", "factorisations")
+    return section("Convergence", chart("convergence", drawn, "step", "newton_iterations",
+                                        ' data-choose="yes" data-marks="yes"')
+                   + table(head, numbers))
+
+
+def estimates(runs):
+    """What --estimate found."""
+    rows = [(run.label, name, value, error, f"{100 * abs(error / value):.2g} %" if value else "")
+            for run in runs for name, value, error in run.estimates]
+    if not rows:
+        return section("Error estimates", "<p>None: run with <code>--estimate</code> to have the "
+                       "error of every number.</p>")
+    return section("Error estimates", table(("run", "quantity", "value", "error", "relative"), rows))
+
+
+def parameters(runs):
+    """Entries that are not at their default, with those that differ between runs first."""
+    entries = {entry: default for run in runs for entry, _, default in run.changed}
+    values = {entry: [dict((e, v) for e, v, _ in run.changed).get(entry, default) for run in runs]
+              for entry, default in entries.items()}
+    varied = {entry: v for entry, v in values.items() if data.common(v) is None}
+    shared = [(entry, v[0], entries[entry]) for entry, v in values.items() if entry not in varied]
+    text = ""
+    if varied:
+        text += "<h3>Different between the runs</h3>" + table(
+            ("run", *varied), [(run.label, *(v[i] for v in varied.values()))
+                               for i, run in enumerate(runs)])
+    if shared:
+        text += ("<h3>The same in all runs</h3>" if varied else "") + table(
+            ("entry", "value", "default"), shared)
+    return section("Parameters changed from their default", text)
+
+
+def timings(runs):
+    """Seconds of each phase."""
+    phases = {name: None for run in runs for name in run.report.get("seconds_per_phase", {})}
+    rows = [(run.label, float(run.report["seconds"]),
+             *(float(run.report["seconds_per_phase"].get(name, 0)) for name in phases),
+             run.report.get("ranks", 1), run.report.get("cells", ""),
+             sum(run.report.get("unknowns", {}).values()))
+            for run in runs if "seconds_per_phase" in run.report]
+    head = ("run", "seconds", *phases, "ranks", "cells", "unknowns")
+    return section("Timings", rows and table(head, rows))
+
+
+def provenance(runs):
+    """What was modelled, and the versions."""
+    reports = [run.report for run in runs if run.report]
+    lines = dict.fromkeys(line for report in reports for line in report.get("modelled", []))
+    versions = dict.fromkeys(f"{name} {version}" for report in reports
+                             for name, version in report.get("versions", {}).items())
+    scenes = dict.fromkeys(report["scene"] for report in reports if report.get("scene"))
+    items = [f"scene: {scene}" for scene in scenes] + list(lines) + list(versions)
+    items.append(f"this page: {datetime.now().isoformat(' ', 'minutes')}")
+    return section("Model and versions",
+                   "<ul>" + "".join(f"<li>{escape(item)}</li>" for item in items) + "</ul>")

@@ -1,0 +1,92 @@
+"""scripts/report in a browser: no error, no network, curves that zoom and tell their numbers.
+
+Usage: report.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
+"""
+
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from scene import program_and_ranks, require
+
+# What a user does, done to the page; the answers become attributes of its body.
+ACTIONS = """<script>
+window.addEventListener("load", () => {
+  const chart = document.getElementById("curves"), svg = chart.querySelector("svg");
+  const at = (name, x, y) => {
+    const box = svg.getBoundingClientRect(), inside = { bubbles: true,
+      clientX: box.left + x * box.width, clientY: box.top + y * box.height };
+    svg.dispatchEvent(new PointerEvent(name, inside));
+  };
+  const axis = () => [...svg.querySelectorAll("text")].map(t => t.textContent).join(" ");
+  const [, x, y] = chart.querySelector(".curve").getAttribute("d").match(/L([\\d.]+) ([\\d.]+)/);
+  at("pointermove", x / svg.viewBox.baseVal.width, y / svg.viewBox.baseVal.height);
+  document.body.dataset.hover = chart.querySelector(".tip").textContent;
+  const whole = axis();
+  at("pointerdown", 0.4, 0.2); at("pointermove", 0.6, 0.6); at("pointerup", 0.6, 0.6);
+  document.body.dataset.zoomed = axis() !== whole;
+  svg.dispatchEvent(new MouseEvent("dblclick"));
+  document.body.dataset.restored = axis() === whole;
+  const choice = chart.querySelector("select[data-axis=y]");
+  choice.value = "voltage_kV"; choice.dispatchEvent(new Event("change"));
+  document.body.dataset.chosen = axis().includes("voltage (kV)");
+});
+</script>"""
+
+
+def browse(browser, page):
+    """The document after its scripts have run, and what the browser's console said."""
+    command = [browser, "--headless=new", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr",
+               "--disable-dev-shm-usage", f"--user-data-dir={page.parent}/browser",
+               "--virtual-time-budget=5000", "--dump-dom", page.as_uri()]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
+    console = [line for line in done.stderr.splitlines() if "CONSOLE" in line]
+    return done.stdout, console
+
+
+def check(browser, folder, curves, dashed):
+    """Makes and loads the page of a folder; requires so many curves, of which some are dashed."""
+    subprocess.run([sys.executable, str(Path(__file__).resolve().parents[2] / "scripts/report"),
+                    str(folder)], check=True)
+    text = (folder / "report.html").read_text()
+    addresses = set(re.findall(r"https?://[^\"'\s)]+", text)) - {"http://www.w3.org/2000/svg"}
+    require(not addresses, f"the page names {addresses}")
+    require("data:image/png;base64," in text, "there is no deformed shape")
+    page = folder / "used.html"
+    page.write_text(text.replace("</body>", ACTIONS + "</body>"))
+    document, console = browse(browser, page)
+    require(not console, f"the console says {console}")
+    drawn = document[document.index('id="curves"'):document.index('id="convergence"')]
+    found = re.findall(r'<path class="curve( unstable)?"', drawn)
+    require(len(found) >= curves, f"{len(found)} curves, not {curves}")
+    require(any(found) == dashed, f"unstable parts dashed: {any(found)}, not {dashed}")
+    for answer in ("zoomed", "restored", "chosen"):
+        require(f'data-{answer}="true"' in document, f"the chart is not {answer}")
+    require(re.search(r'data-hover="[^"]*e: [\d.]+', document), "nothing told where one points")
+    print(f"{folder.name}: {len(found)} curves, {len(text) // 1024} kB")
+
+
+def main():
+    """A path through instabilities, a study, a run with estimates."""
+    program, _ = program_and_ranks(__doc__)
+    browser = shutil.which("chromium")
+    if browser is None:
+        print("SKIPPED: no chromium")
+        sys.exit(77)
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        program.run("hard/pull_in_loop", folder / "path")
+        check(browser, folder / "path", 2, True)
+        program.run("bending_actuator_plane", folder / "study", "--sweep",
+                    "Temperature/Value=293,353", "--set", "Output/Fields=last")
+        check(browser, folder / "study", 2, False)
+        program.run("bending_actuator_plane", folder / "estimate", "--estimate", "--set",
+                    "Loading/Target=0.3")
+        check(browser, folder / "estimate", 1, False)
+        require("tip_u1_mm" in (folder / "estimate/report.html").read_text(), "no estimates")
+
+
+main()
