@@ -158,7 +158,7 @@ void PathFollowing<dim>::examine(const Plane& plane, PathState& found)
   ++n_iterations;
   ++n_factorisations;
   found.load = system.load();
-  if (system.is_symmetric())
+  if (system.knows_stability())
     found.unstable_directions = system.unstable_directions(found.report.negative_pivots);
   const auto& response = system.response();
   found.slope =
