@@ -134,7 +134,7 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::switch_branch(double s
 {
   const double load = state.accepted_load(), sign = branch == "plus" ? 1. : -1.;
   for (; step > 1e-6; step /= 2.) {
-    state.x.add(sign * step / std::sqrt(weight), mode);
+    state.x.add(sign * step / metric.length(mode.block(0), 0.), mode);
     state.x.update_ghost_values();
     system.set_load(load);
     if (Solution found = solve(across(state.path().back()))) {

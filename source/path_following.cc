@@ -1,4 +1,6 @@
+#include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
+#include <thelma/fields/named_dofs.h>
 #include <thelma/path_following.h>
 
 #include <algorithm>
@@ -17,11 +19,41 @@ void PathFollowing<dim>::declare(dealii::ParameterHandler& prm)
                     "`load`: up to the first instability; `automatic`: from there along the arc "
                     "length of the path, stable or not.",
                     Selection("load|automatic"));
+  prm.add_parameter("Controlled displacement", controlled,
+                    "Mean displacement of a surface, line or point, as `top: u3`, that leads along "
+                    "the path in place of its arc length. Empty: none.",
+                    Map(Anything(), Anything(), 0, 1));
   prm.add_parameter("Branch", branch,
                     "Which path the continuation takes from the first bifurcation: the old one "
                     "(`none`), or the new one to either side.",
                     Selection("none|plus|minus"));
   prm.add_parameter("Most steps", most_steps, "The continuation ends after so many.", Integer(1));
+}
+
+template <int dim>
+void PathFollowing<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
+                               const BoundaryConditions<dim>& conditions)
+{
+  const std::string place = "section Stepping, entry 'Controlled displacement'";
+  for (const auto& [group, component] : controlled) {
+    if (!is_automatic() || branch != "none")
+      throw InputError(place + ": it leads along a path only with Continuation = automatic and "
+                               "Branch = none");
+    BlockVector row = layout.new_vector();
+    std::size_t n_free = 0;
+    for (const unsigned int c : components_named<dim>(component, place))
+      for (const auto dof : dofs_on(mesh, layout, group, place, c))
+        if (!conditions.constraints().is_constrained(dof)) {
+          ++n_free;
+          if (row.block(0).in_local_range(dof))
+            row.block(0)(dof) = 1.;
+        }
+    if (n_free == 0)
+      throw InputError(place + ": '" + group + "' is held in the direction " + component +
+                       "; choose a displacement that is free");
+    row /= static_cast<double>(n_free);
+    metric.choose(row.block(0));
+  }
 }
 
 /// Displacements count in multiples of what the load has done so far per load.
@@ -30,7 +62,7 @@ void PathFollowing<dim>::choose_metric()
 {
   const double u = state.x.block(0).l2_norm(), load = state.accepted_load();
   const double scale = u > 0. && load > 0. ? u / load : system.response().l2_norm();
-  weight = scale > 0. ? 1. / (scale * scale) : 1.;
+  metric.weigh(scale > 0. ? 1. / (scale * scale) : 1.);
 }
 
 template <int dim>
@@ -39,7 +71,7 @@ double PathFollowing<dim>::distance(const BlockVector& a, const double load_a, c
 {
   auto difference = a.block(0);
   difference -= b.block(0);
-  return std::sqrt(weight * difference.norm_sqr() + std::pow(load_a - load_b, 2));
+  return metric.length(difference, load_a - load_b);
 }
 
 /// Arc lengths of the accepted states.
@@ -56,13 +88,9 @@ std::vector<double> PathFollowing<dim>::places() const
 template <int dim>
 Plane PathFollowing<dim>::across(const State::Accepted& from) const
 {
-  const double length = distance(state.x, system.load(), from.x, from.load);
-  Plane plane;
-  plane.normal = state.x.block(0);
-  plane.normal -= from.x.block(0);
-  plane.normal *= weight / length;
-  plane.normal.zero_out_ghost_values();
-  plane.load_normal = (system.load() - from.load) / length;
+  auto way = state.x.block(0);
+  way -= from.x.block(0);
+  Plane plane = metric.across(way, system.load() - from.load);
   plane.value = plane.excess(system);
   return plane;
 }
@@ -88,7 +116,7 @@ void PathFollowing<dim>::predict(const double step)
     return;
   }
   system.residual();
-  const double change = step / std::sqrt(1. + weight * system.response().norm_sqr());
+  const double change = step / metric.length(system.response(), 1.);
   system.linear_solve(true);
   system.add_response(change);
   system.move_to(1.);
@@ -133,8 +161,8 @@ void PathFollowing<dim>::examine(const Plane& plane, PathState& found)
   if (system.is_symmetric())
     found.unstable_directions = system.unstable_directions(found.report.negative_pivots);
   const auto& response = system.response();
-  found.slope = 1. / std::sqrt(1. + weight * response.norm_sqr());
-  found.slope = std::copysign(found.slope, plane.normal * response + plane.load_normal);
+  found.slope =
+      std::copysign(1. / metric.length(response, 1.), plane.normal * response + plane.load_normal);
 }
 
 template <int dim>
@@ -146,8 +174,7 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::advance()
     Solution found = solve(across(from));
     const double surprise = predictor.surprise();
     if (found && surprise < 1.) {
-      const double rest =
-          std::sqrt(weight * state.x.block(0).norm_sqr() + found->load * found->load);
+      const double rest = metric.length(state.x.block(0), found->load);
       state.accept(found->load);
       predictor.adapt(surprise);
       stepper.accept(found->report.iterations, surprise,

@@ -46,6 +46,7 @@ void Problem<dim>::declare()
         Quantity("K", 1.));
   }
   nodal_heat.declare(prm);
+  dead_loads.declare(prm);
   loading.declare(prm);
   stepper.declare(prm);
   {
@@ -121,10 +122,13 @@ void Problem<dim>::check_and_set_up(Complaints& found)
                               found.allow([&]() { conditions.require_held(mesh); });
   if (has_conditions)
     found.allow([&]() { nodal_heat.setup(mesh, layout, conditions); });
+  found.allow([&]() { dead_loads.setup(mesh, layout); });
   found.allow([&]() { results.setup(scene(), theta); });
   found.allow([&]() { check_path(); });
-  if (has_conditions)
+  if (has_conditions) {
+    found.allow([&]() { path_following.setup(mesh, layout, conditions); });
     found.allow([&]() { check_stages(); });
+  }
 }
 
 template <int dim>

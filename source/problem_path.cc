@@ -37,12 +37,9 @@ bool Problem<dim>::hands_over(const Stepper& steps, const LoadSymmetry symmetry,
 template <int dim>
 void Problem<dim>::explain_end(const Stepper& steps)
 {
-  const auto field = [&](const double load) { return loading.field(loading.voltage(load)); };
   const double limit = state.estimated_limit();
-  const Bracket bracket{field(steps.accepted()), field(steps.failed()), field(limit)};
-  std::ostringstream between;
-  between << std::setprecision(7) << " between e = " << bracket.e_below << " and "
-          << bracket.e_above;
+  const std::string between = ' ' + loading.between(present.kind, present.level(steps.accepted()),
+                                                    present.level(steps.failed()));
 
   // At a limit point the last states themselves announce its end, not much farther away than they
   // reach back; anything else is not a pull-in.
@@ -51,14 +48,22 @@ void Problem<dim>::explain_end(const Stepper& steps)
   if (!turns_back) {
     const bool unstable = last_failure.find("unstable") != std::string::npos;
     outcome = failure(unstable ? "instability" : "no convergence",
-                      (unstable ? "loss of stability" : "no convergence") + between.str() + ": " +
+                      (unstable ? "loss of stability" : "no convergence") + between + ": " +
                           last_failure);
     results.set_event(unstable ? "bifurcation" : "no convergence");
     return;
   }
-  outcome.pull_in = bracket;
+  const auto field = [&](const double load) {
+    return loading.field(loading.voltage(present.level(load)));
+  };
+  if (present.kind != Stage::Kind::voltage) {
+    outcome = failure("limit point", "limit point" + between);
+    results.set_event("limit point");
+    return;
+  }
+  outcome.pull_in = Bracket{field(steps.accepted()), field(steps.failed()), field(limit)};
   outcome.name = "pull-in";
-  outcome.reason = "pull-in" + between.str();
+  outcome.reason = "pull-in" + between;
   results.set_event("pull-in");
   if (!loading.expects_pull_in()) {
     outcome.code = ExitCode::not_converged;

@@ -1,5 +1,6 @@
 // The stages of a run, and what each prescribes.
 
+#include <thelma/base/error.h>
 #include <thelma/problem.h>
 
 namespace thelma
@@ -12,6 +13,9 @@ void Problem<dim>::check_stages() const
   for (const Stage& stage : loading.stages())
     if (!stage.is_ramp())
       conditions.electrode(stage.electrode, place);
+    else if (stage.kind == Stage::Kind::force && !dead_loads.exist())
+      throw InputError(place + ": 'force' has nothing to act with; name it in section Loads, entry "
+                               "'Force'");
 }
 
 template <int dim>
@@ -19,7 +23,7 @@ void Problem<dim>::apply_loads()
 {
   unsigned int ramps = 0;
   for (const Stage& stage : loading.stages()) {
-    const bool is_electric = stage.kind != Stage::Kind::move;
+    const bool is_electric = stage.kind != Stage::Kind::move && stage.kind != Stage::Kind::force;
     if (outcome.code != ExitCode::success || outcome.pull_in ||
         (is_electric && !layout.has(Field::potential)))
       break;
@@ -52,32 +56,33 @@ template <int dim>
 void Problem<dim>::ramp(const Stage& stage)
 {
   Levels now = levels;
-  double to = stage.level;
-  if (layout.is_transient())
-    to *= transient.initial_voltage() / loading.voltage(1.);
-  const double from = levels.of(stage.kind);
-  if (to == from)
+  present = {stage.kind, levels.of(stage.kind), stage.level};
+  if (stage.kind == Stage::Kind::voltage && layout.is_transient())
+    present.to *= transient.initial_voltage() / loading.voltage(1.);
+  if (present.to == present.from)
     return;
   const auto prescribe = [&](const double load) {
-    now.of(stage.kind) = from + load * (to - from);
+    now.of(stage.kind) = present.level(load);
     state.voltage = loading.voltage(now.voltage);
     state.charge = loading.charge(now.charge);
     conditions.set_motion(now.motion);
+    if (dead_loads.exist())
+      system.set_loads(now.force, dead_loads.nodal());
     conditions.apply(state.voltage, theta_start, 1., state.x);
     if (layout.is_transient())
       set_uniform_temperature(theta);
   };
   // From rest, reversing the load reverses the potential.
+  const bool is_electric = stage.kind == Stage::Kind::voltage || stage.kind == Stage::Kind::charge;
   const bool at_rest = levels.voltage == 0. && levels.charge == 0. && first_load == 0.;
-  const LoadSymmetry symmetry =
-      at_rest && stage.kind != Stage::Kind::move ? LoadSymmetry::voltage : LoadSymmetry::none;
+  const LoadSymmetry symmetry = at_rest && is_electric ? LoadSymmetry::voltage : LoadSymmetry::none;
   state.start();
   stepper.start(loading.resolution());
   leave_rest(prescribe);
   const bool finished =
       follow(stepper, symmetry, prescribe,
              [&](const double load, const NewtonReport& report) { record(load, report); });
-  levels.of(stage.kind) = to;
+  levels.of(stage.kind) = present.to;
   if (!finished && path_following.is_automatic())
     return follow_load(prescribe);
   if (!finished) {

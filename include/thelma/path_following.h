@@ -4,6 +4,7 @@
 #include <thelma/assembly/system.h>
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -33,6 +34,10 @@ public:
   }
 
   void declare(dealii::ParameterHandler& prm);
+
+  /// Find the controlled displacement, if there is one. Throws InputError.
+  void setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
+             const BoundaryConditions<dim>& conditions);
 
   bool is_automatic() const { return continuation == "automatic"; }
 
@@ -104,11 +109,12 @@ private:
   const Newton& newton;
 
   std::string continuation = "load", branch = "none";
+  std::map<std::string, std::string> controlled;
   unsigned int most_steps = 1000;
 
   ArcStepper stepper;
   double largest_step = 1., remainder = 0.;
-  double weight = 0.; ///< of a squared displacement against a squared load
+  PathMetric metric;
   bool on_branch = false;
   BlockVector mode;
   unsigned int n_iterations = 0, n_factorisations = 0, n_failures = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <thelma/assembly/dead_loads.h>
 #include <thelma/assembly/predictor.h>
 #include <thelma/base/complaints.h>
 #include <thelma/base/parameters.h>
@@ -39,6 +40,12 @@ public:
   bool finished() const;
 
 private:
+  /// The stage that the load factor now drives.
+  struct Ramp {
+    Stage::Kind kind = Stage::Kind::voltage;
+    double from = 0., to = 1.; ///< levels
+    double level(const double load) const { return from + load * (to - from); }
+  };
   using PathEnd = typename PathFollowing<dim>::End;
   using PathTask = typename PathFollowing<dim>::Task;
   using Record = std::function<void(double load, const NewtonReport&)>;
@@ -88,6 +95,7 @@ private:
   Transient<dim> transient;
   Predictor<dim> predictor;
   Loading loading;
+  DeadLoads<dim> dead_loads;
   Newton newton;
   Stepper stepper;
   PathFollowing<dim> path_following;
@@ -95,7 +103,8 @@ private:
   unsigned int dimension = dim;
   double theta = 293., theta_start = 293.; ///< K
   Levels levels;                           ///< reached by the stages so far
-  double first_load = 0.;                  ///< of the present stage, in the curve
+  Ramp present;
+  double first_load = 0.; ///< of the present stage, in the curve
   Outcome outcome;
   std::string last_failure;
   std::string unstable_states = "reject";

@@ -1,4 +1,3 @@
-#include <thelma/base/axes.h>
 #include <thelma/base/complaints.h>
 #include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
@@ -7,32 +6,10 @@
 #include <thelma/fields/named_dofs.h>
 #include <thelma/fields/rigid_motions.h>
 
-#include <deal.II/base/utilities.h>
-
-#include <algorithm>
-
 namespace thelma
 {
 namespace
 {
-
-/// Directions (from 0) named by a text such as "u1 u3".
-template <int dim>
-std::vector<unsigned int> parse_components(const std::string& text, const std::string& place)
-{
-  std::vector<std::string> known;
-  for (int d = 0; d < dim; ++d)
-    known.push_back(component_name<dim>(d));
-  std::vector<unsigned int> components;
-  for (const std::string& word : dealii::Utilities::split_string_list(text, ' ')) {
-    const auto found = std::find(known.begin(), known.end(), word);
-    if (found == known.end())
-      throw InputError(place + ": '" + word + "' is no displacement component; write any of " +
-                       comma_separated(known) + " with blanks between");
-    components.push_back(found - known.begin());
-  }
-  return components;
-}
 
 double moved_way(const std::string& text, const std::string& place)
 {
@@ -110,7 +87,7 @@ void BoundaryConditions<dim>::fix_supports(const Mesh<dim>& mesh, const FieldLay
   Complaints complaints;
   for (const auto& [surface, components] : supports)
     complaints.allow([&, &surface = surface, &components = components]() {
-      for (const unsigned int c : parse_components<dim>(components, place))
+      for (const unsigned int c : components_named<dim>(components, place))
         fix(mesh, layout, surface, place, c, 0., fixed_dofs);
     });
   if (supports.empty())
@@ -123,10 +100,10 @@ void BoundaryConditions<dim>::require_held(const Mesh<dim>& mesh) const
 {
   RigidMotions<dim> motions(mesh);
   for (const auto& [surface, components] : supports)
-    for (const unsigned int c : parse_components<dim>(components, ""))
+    for (const unsigned int c : components_named<dim>(components, ""))
       motions.hold(surface, c);
   for (const auto& [surface, text] : moved_supports)
-    motions.hold(surface, parse_components<dim>(text.substr(0, text.find(' ')), "").front());
+    motions.hold(surface, components_named<dim>(text.substr(0, text.find(' ')), "").front());
   Complaints complaints;
   for (const std::string& sentence : motions.remaining())
     complaints.add("section Supports, entry 'Fixed': " + sentence);
@@ -145,7 +122,7 @@ void BoundaryConditions<dim>::fix_moved_supports(const Mesh<dim>& mesh,
                        "' is not a displacement component and mm; write it "
                        "as u1 2.5");
     const double way = moved_way(text.substr(blank), place);
-    for (const unsigned int c : parse_components<dim>(text.substr(0, blank), place))
+    for (const unsigned int c : components_named<dim>(text.substr(0, blank), place))
       fix(mesh, layout, surface, place, c, way, moved_dofs);
   }
   for (const auto& entry : moved_dofs)

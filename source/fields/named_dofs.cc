@@ -1,5 +1,10 @@
+#include <thelma/base/axes.h>
 #include <thelma/base/error.h>
 #include <thelma/fields/named_dofs.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
 
 namespace thelma
 {
@@ -49,6 +54,25 @@ dofs_on(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string
   return dofs;
 }
 
+template <int dim>
+std::vector<unsigned int> components_named(const std::string& text, const std::string& place)
+{
+  std::vector<std::string> known;
+  for (int d = 0; d < dim; ++d)
+    known.push_back(component_name<dim>(d));
+  std::vector<unsigned int> components;
+  for (const std::string& word : dealii::Utilities::split_string_list(text, ' ')) {
+    const auto found = std::find(known.begin(), known.end(), word);
+    if (found == known.end())
+      throw InputError(place + ": '" + word + "' is no displacement component; write any of " +
+                       comma_separated(known) + " with blanks between");
+    components.push_back(found - known.begin());
+  }
+  return components;
+}
+
+template std::vector<unsigned int> components_named<2>(const std::string&, const std::string&);
+template std::vector<unsigned int> components_named<3>(const std::string&, const std::string&);
 template std::set<dealii::types::global_dof_index> dofs_on(const Mesh<2>&, const FieldLayout<2>&,
                                                            const std::string&, const std::string&,
                                                            unsigned int);

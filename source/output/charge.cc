@@ -7,8 +7,10 @@ namespace thelma
 namespace
 {
 
-/// Charge that the voltage has moved onto the driven electrodes, from the reactions of the
-/// potential (exact for the discrete energy), and capacitance Q / V. In plane strain per mm.
+/// Charge q that the voltage V has moved onto the electrodes, such that V dq is their work: each
+/// electrode's charge counts by its part of the voltage, which a floating one has found itself.
+/// From the reactions of the potential (exact for the discrete energy); capacitance q/V. In plane
+/// strain per mm.
 template <int dim>
 class Charge final : public Observable<dim>
 {
@@ -17,14 +19,16 @@ public:
 
   std::vector<double> evaluate(const Scene<dim>& scene) override
   {
-    const auto owned = scene.layout.dof_handler().locally_owned_dofs();
-    double charge = 0.;
-    for (const auto& [dof, factor] : scene.conditions.driven())
-      if (owned.is_element(dof))
-        charge -= factor * scene.system.reactions()(dof);
-    charge = dealii::Utilities::MPI::sum(charge, scene.layout.communicator());
     const double voltage = scene.state.voltage;
-    return {charge, voltage > 0. ? charge / voltage : 0.};
+    double charge = 0.;
+    for (const Electrode& electrode : scene.conditions.electrodes()) {
+      double part = electrode.voltage_multiple;
+      if (electrode.floats)
+        part = voltage != 0. ? potential(electrode, scene.layout, scene.state.x) / voltage : 0.;
+      charge -= part * electrode.own_sum(scene.system.reactions());
+    }
+    charge = dealii::Utilities::MPI::sum(charge, scene.layout.communicator());
+    return {charge, voltage != 0. ? charge / voltage : 0.};
   }
 };
 

@@ -11,7 +11,7 @@ namespace
 {
 
 /// The first and the second law since time 0 (theory.md, eqs. 37, 38): what is stored, what came in
-/// through electrodes and walls, what conduction made of entropy, and what is missing.
+/// through electrodes, dead loads and walls, what conduction made of entropy, and what is missing.
 template <int dim>
 class Ledger final : public Observable<dim>
 {
@@ -28,6 +28,7 @@ public:
             "ledger_electric_mJ",
             "ledger_thermal_mJ",
             "ledger_electrode_work_mJ",
+            "ledger_load_work_mJ",
             "ledger_heat_mJ",
             "ledger_energy_missing_mJ",
             "ledger_entropy_mJ_per_K",
@@ -52,18 +53,25 @@ public:
     const Energies& e = now.stored;
     const double change = e.elastic + e.electric + e.thermal -
                           (start.stored.elastic + start.stored.electric + start.stored.thermal);
-    return {e.elastic, e.electric,
-            e.thermal, work,
-            heat,      change - work - heat,
-            e.entropy, entropy,
-            produced,  e.entropy - start.stored.entropy - entropy - produced};
+    const double loads = now.load_work - start.load_work;
+    return {e.elastic,
+            e.electric,
+            e.thermal,
+            work,
+            loads,
+            heat,
+            change - work - loads - heat,
+            e.entropy,
+            entropy,
+            produced,
+            e.entropy - start.stored.entropy - entropy - produced};
   }
 
 private:
   struct Stock {
     Energies stored;
     HeatInflow inflow;
-    double time, voltage, charge, production; ///< s, kV, uC, mW/K
+    double time, voltage, charge, load_work, production; ///< s, kV, uC, mJ, mW/K
   };
 
   Stock stock(const Scene<dim>& scene) const
@@ -80,6 +88,7 @@ private:
             scene.state.time,
             scene.state.voltage,
             total[4],
+            scene.system.load_work(),
             total[5]};
   }
 

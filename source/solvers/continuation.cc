@@ -6,6 +6,22 @@
 namespace thelma
 {
 
+double PathMetric::length(const Displacement& u, const double load) const
+{
+  return chosen ? std::abs(*chosen * u) : std::sqrt(weight * u.norm_sqr() + load * load);
+}
+
+Plane PathMetric::across(const Displacement& u, const double load) const
+{
+  const double size = length(u, load);
+  Plane plane;
+  plane.normal = chosen ? *chosen : u;
+  plane.normal *= (chosen ? *chosen * u : weight) / size;
+  plane.normal.zero_out_ghost_values();
+  plane.load_normal = chosen ? 0. : load / size;
+  return plane;
+}
+
 ResidualReport BorderedSystem::residual()
 {
   ResidualReport report = system.residual();

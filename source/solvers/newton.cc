@@ -1,6 +1,7 @@
 #include <thelma/base/parameters.h>
 #include <thelma/solvers/newton.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace thelma
@@ -29,7 +30,7 @@ void Newton::declare(dealii::ParameterHandler& prm)
 /// so that two corrections tell its rate.
 bool Newton::worth_reusing(const NewtonReport& report, const LinearReport& linear) const
 {
-  constexpr double steady = 0.5, near = 3e-4, dear = 2.5;
+  constexpr double steady = 0.5, near = 3e-4, dear = 2.5, most = 5.; // corrections
   if (!reuses)
     return false;
   const auto r = report.residuals.rbegin();
@@ -37,7 +38,8 @@ bool Newton::worth_reusing(const NewtonReport& report, const LinearReport& linea
   if (tries && linear.factorised)
     return true;
   const double rate = tries && report.residuals.size() > 2 ? std::sqrt(r[0] / r[2]) : r[0] / r[1];
-  return rate < steady && std::log(r[0] / tolerance) < linear.cost * std::log(1. / rate);
+  return rate < steady &&
+         std::log(r[0] / tolerance) < std::min(linear.cost, most) * std::log(1. / rate);
 }
 
 NewtonReport Newton::solve(NonlinearSystem& system, bool reuse) const

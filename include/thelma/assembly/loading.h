@@ -14,7 +14,7 @@ namespace thelma
 /// One stage of a run: a quantity goes to a multiple of its target while the load factor goes from
 /// 0 to 1, or an electrode changes.
 struct Stage {
-  enum class Kind { voltage, charge, move, connect, disconnect };
+  enum class Kind { voltage, charge, force, move, connect, disconnect };
   Kind kind;
   double level = 0.;     ///< of a quantity, at the end
   std::string electrode; ///< that changes
@@ -23,10 +23,13 @@ struct Stage {
 
 /// Multiples of their targets that the quantities have reached.
 struct Levels {
-  double voltage = 0., charge = 0., motion = 0.;
-  double& of(Stage::Kind kind)
+  double voltage = 0., charge = 0., force = 0., motion = 0.;
+  double& of(const Stage::Kind kind)
   {
-    return kind == Stage::Kind::voltage ? voltage : kind == Stage::Kind::charge ? charge : motion;
+    return kind == Stage::Kind::voltage  ? voltage
+           : kind == Stage::Kind::charge ? charge
+           : kind == Stage::Kind::force  ? force
+                                         : motion;
   }
 };
 
@@ -57,6 +60,9 @@ public:
 
   bool expects_pull_in() const { return expected_end == "pull-in"; }
   std::string description() const;
+
+  /// What the quantity of a stage is at these @p levels, as a sentence names it.
+  std::string between(Stage::Kind kind, double low, double high) const;
 
 private:
   double read_target() const;

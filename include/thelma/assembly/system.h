@@ -65,6 +65,10 @@ public:
 
   /// Hold the body with these nodal forces, charges and heat flows (N, minus uC, mW).
   void set_loads(const BlockVector& forces) { loads = forces; }
+  void set_loads(const double factor, const BlockVector& forces) { loads.equ(factor, forces); }
+
+  /// Work in mJ of the present loads on the way from the undeformed body.
+  double load_work() const { return loads * state.x; }
 
   /// What enters through the walls, all of them, at the newest residual.
   HeatInflow heat_inflow() const;

@@ -4,6 +4,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 namespace thelma
 {
@@ -15,5 +16,10 @@ template <int dim>
 std::set<dealii::types::global_dof_index>
 dofs_on(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string& surface,
         const std::string& place, unsigned int component);
+
+/// Directions (from 0) named by a text such as "u1 u3". Throws InputError, with @p place in the
+/// sentence.
+template <int dim>
+std::vector<unsigned int> components_named(const std::string& text, const std::string& place);
 
 } // namespace thelma

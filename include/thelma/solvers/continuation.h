@@ -4,6 +4,9 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <optional>
+#include <utility>
+
 namespace thelma
 {
 
@@ -38,6 +41,28 @@ struct Plane {
   {
     return normal * system.displacement() + load_normal * system.load() - value;
   }
+};
+
+/// How far apart states of a path are: by its arc length, or by one chosen displacement alone.
+class PathMetric
+{
+public:
+  using Displacement = LoadedSystem::Displacement;
+
+  /// Of the arc length: a squared displacement counts by @p factor against a squared load.
+  void weigh(const double factor) { weight = factor; }
+
+  /// From now on only the displacement @p row . u counts.
+  void choose(Displacement row) { chosen = std::move(row); }
+
+  double length(const Displacement& u, double load) const;
+
+  /// The plane across the direction (@p u, @p load), without its place.
+  Plane across(const Displacement& u, double load) const;
+
+private:
+  double weight = 1.;
+  std::optional<Displacement> chosen;
 };
 
 /// A system with its load as one more unknown and a plane as one more equation. Both right-hand

@@ -1,0 +1,105 @@
+#include <thelma/assembly/dead_loads.h>
+#include <thelma/base/complaints.h>
+#include <thelma/base/parameters.h>
+#include <thelma/base/quantity.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <sstream>
+
+namespace thelma
+{
+namespace
+{
+
+const std::string place = "section Loads, entry 'Force'";
+
+/// Components with a unit behind the last one, if it is not that of the entry.
+template <int dim>
+dealii::Tensor<1, dim> parse_force(const std::string& text)
+{
+  std::istringstream words(text);
+  std::vector<std::string> numbers(dim);
+  for (std::string& number : numbers)
+    words >> number;
+  std::string unit;
+  std::getline(words, unit);
+  dealii::Tensor<1, dim> force;
+  try {
+    for (unsigned int d = 0; d < dim; ++d)
+      force[d] = Quantity(dim == 3 ? "N" : "N/mm").value(numbers[d] + unit);
+  } catch (const InputError& error) {
+    throw InputError(place + ": '" + text + "' is no force; write its " + std::to_string(dim) +
+                     " components in N with blanks between: " + error.what());
+  }
+  return force;
+}
+
+} // namespace
+
+template <int dim>
+void DeadLoads<dim>::declare(dealii::ParameterHandler& prm)
+{
+  const Section section(prm, {"Loads"});
+  prm.add_parameter(
+      "Force", texts,
+      "Forces on surfaces, to which the stage `force` (Loading/Stages) goes, as `grip: 0 0 0.05`. "
+      "They "
+      "keep their direction and are spread evenly over the undeformed surface. Unit: N, in plane "
+      "strain N/mm of depth.",
+      dealii::Patterns::Map(dealii::Patterns::Anything(), dealii::Patterns::Anything(), 0, 100));
+}
+
+template <int dim>
+void DeadLoads<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout)
+{
+  forces = layout.new_vector();
+  Complaints complaints;
+  for (const auto& [surface, text] : texts)
+    complaints.allow([&, &surface = surface, &text = text]() {
+      add(mesh, layout, surface, parse_force<dim>(text));
+    });
+  complaints.raise();
+}
+
+template <int dim>
+void DeadLoads<dim>::add(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
+                         const std::string& surface, const dealii::Tensor<1, dim>& force)
+{
+  dealii::FEFaceValues<dim> values(layout.mapping(), layout.scalar_element(),
+                                   dealii::QGauss<dim - 1>(layout.degree() + 1),
+                                   dealii::update_values | dealii::update_JxW_values);
+  BlockVector shares = layout.new_vector();
+  std::vector<dealii::types::global_dof_index> indices;
+  double area = 0.;
+  for (const auto& [entity, vertices] : mesh.surface(surface, place))
+    for (unsigned int f = 0; f < dealii::GeometryInfo<dim>::faces_per_cell; ++f) {
+      if (face_vertices<dim>(f) != vertices || !entity->face(f)->at_boundary() ||
+          !entity->is_locally_owned())
+        continue;
+      const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
+          &mesh.triangulation(), entity->level(), entity->index(), &layout.dof_handler());
+      layout.unknowns(cell, indices);
+      values.reinit(entity, f);
+      for (unsigned int q = 0; q < values.n_quadrature_points; ++q) {
+        area += values.JxW(q);
+        for (unsigned int a = 0; a < values.dofs_per_cell; ++a)
+          for (unsigned int d = 0; d < dim; ++d)
+            shares(indices[*layout.local_dof(cell->active_fe_index(), a, d)]) +=
+                force[d] * values.JxW(q) * values.shape_value(a, q);
+      }
+    }
+  area = dealii::Utilities::MPI::sum(area, layout.communicator());
+  if (!(area > 0.))
+    throw InputError(place + ": '" + surface +
+                     "' is no outer surface of the body; forces can act only on these");
+  shares.compress(dealii::VectorOperation::add);
+  forces.add(1. / area, shares);
+}
+
+template class DeadLoads<2>;
+template class DeadLoads<3>;
+
+} // namespace thelma

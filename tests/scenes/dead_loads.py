@@ -1,0 +1,75 @@
+"""Dead loads: homogeneous states under a weight and a voltage, and the buckling of a column.
+
+    dead_loads.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
+"""
+
+import math
+import tempfile
+from pathlib import Path
+
+from scipy.optimize import fsolve
+
+from scene import program_and_ranks, require, validated
+import planar_exact
+
+AREA = 5.0  # mm^2 of the film's loaded face
+
+
+def stretches(material, stress, field):
+    """lambda_1, lambda_2, lambda_3 under a nominal stress (MPa) along x1 and a nominal field
+    (kV/mm), which make
+
+        W + K/2 x^2 - eps/2 E^2 lambda_1 lambda_2/lambda_3 - stress lambda_1,  x = ln J,
+
+    stationary."""
+    mu, K, eps = material.mu(293), material.K, material.eps(293)
+
+    def forces(stretch):
+        l_1, l_2, l_3 = stretch
+        pressure = K * math.log(l_1 * l_2 * l_3) - mu
+        maxwell = eps / 2 * field**2 * l_1 * l_2 / l_3
+        return ((mu * l_1**2 + pressure - maxwell - stress * l_1) / mu,
+                (mu * l_2**2 + pressure - maxwell) / mu, (mu * l_3**2 + pressure + maxwell) / mu)
+
+    return fsolve(forces, (1.5, 0.8, 0.8), xtol=1e-13)
+
+
+def check_film(program, folder, ranks):
+    """Every row, first of the force, then of the voltage."""
+    curve = program.run("verification/dead_load", folder, ranks=ranks).curve(
+        "load", "e", "lambda_1", "lambda_3")
+    material, worst = planar_exact.Material(), 0.0
+    for load, e, l_1, l_3 in zip(*(curve[name] for name in ("load", "e", "lambda_1", "lambda_3"))):
+        exact = stretches(material, 0.4 * min(load, 1) / AREA, material.field(e, 293))
+        worst = max(worst, abs(l_1 - exact[0]), abs(l_3 - exact[2]))
+    print(f"{ranks} rank(s): {len(curve['e'])} states of the film under weight and voltage up to "
+          f"lambda_1 = {curve['lambda_1'][-1]:.5f}, largest error {worst:.1e}")
+    validated("dead_load", "lambda_1, lambda_3 of every state", "exact, homogeneous", worst)
+    require(worst < 1e-8, f"a stretch is off by {worst}")
+
+
+def check_column(program, folder, ranks):
+    """Euler's load of the clamped column, 4 mu for its modulus in plane strain."""
+    case = program.run("verification/column", folder, ranks=ranks)
+    curve = case.curve("load", "event", "tip_u1_mm", "unstable_directions")
+    row = list(curve["event"]).index("bifurcation")
+    found = 0.0002 * curve["load"][row]
+    euler = math.pi**2 * 4 * planar_exact.Material().mu(293) / 12 / (4 * 20**2)
+    print(f"{ranks} rank(s): the column buckles under {found:.6e} N/mm, Euler's load "
+          f"{euler:.6e}, and bends by {curve['tip_u1_mm'][-1]:.3f} mm")
+    validated("column", "buckling force", "Euler, slender limit", found / euler - 1)
+    # Compressed before it buckles, and sheared: off by the square of its slenderness.
+    require(abs(found / euler - 1) < 1 / 20**2 * 4, "not Euler's load")
+    require(abs(curve["tip_u1_mm"][-1]) > 1 and not curve["unstable_directions"][-1],
+            "the column is not bent")
+
+
+def main():
+    program, all_ranks = program_and_ranks(__doc__)
+    for ranks in all_ranks:
+        with tempfile.TemporaryDirectory() as folder:
+            check_film(program, Path(folder) / "film", ranks)
+            check_column(program, Path(folder) / "column", ranks)
+
+
+main()
