@@ -4,6 +4,7 @@
 #include <thelma/output/run_report.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <filesystem>
