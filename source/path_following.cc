@@ -1,3 +1,4 @@
+#include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
 #include <thelma/fields/named_dofs.h>
 #include <thelma/path_following.h>

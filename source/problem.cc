@@ -71,9 +71,7 @@ void Problem<dim>::setup()
   state.x = layout.new_vector();
   if (layout.has(Field::temperature))
     state.x.block(layout.block(Field::temperature)) = theta_start;
-  if (path_following.is_automatic())
-    system.require_inertia();
-  system.setup(layout.is_transient() ? Solved::deformation : Solved::all);
+  system.setup();
   transient.setup(system, loading.voltage(1.), theta);
   predictor.setup(system.element());
   state.start();
@@ -125,7 +123,12 @@ void Problem<dim>::check_and_set_up(Complaints& found)
                               found.allow([&]() { conditions.require_held(mesh); });
   if (has_conditions)
     found.allow([&]() { nodal_heat.setup(mesh, layout, conditions); });
-  found.allow([&]() { results.setup(scene(), theta); });
+  if (path_following.is_automatic())
+    system.require_inertia();
+  const bool has_system = found.allow(
+      [&]() { system.choose(layout.is_transient() ? Solved::deformation : Solved::all); });
+  if (has_system)
+    found.allow([&]() { results.setup(scene(), theta); });
   found.allow([&]() { check_path(); });
   found.allow([&]() { dead_loads.setup(mesh, layout); });
   if (has_conditions) {

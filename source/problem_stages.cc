@@ -1,5 +1,6 @@
 // The stages of a run, and what each prescribes.
 
+#include <thelma/base/error.h>
 #include <thelma/problem.h>
 
 namespace thelma

@@ -9,7 +9,8 @@ from plotting import COMPUTED, DASHED
 LENGTH, LAYER = 20.0, 0.5  # mm, of prm/bending_actuator.prm
 MEANING = [plotting.line("exact circle"),
            plotting.mark("converged: Q2/P1, plane strain", **COMPUTED),
-           plotting.line("paper's mesh and element (against e: coldest and hottest)", linewidth=0.8),
+           plotting.line("paper's mesh and element", linewidth=0.8),
+           plotting.mark("(against e: coldest and hottest)"),
            plotting.line("the same, unstable", linestyle=DASHED, linewidth=0.8)]
 
 

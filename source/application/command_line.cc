@@ -106,10 +106,10 @@ CommandLine CommandLine::parse(const std::vector<std::string>& given)
     else if (word == "--help" || word == "-h")
       line.action = Action::help;
     else if (word.rfind("-", 0) == 0)
-      throw InputError("command line: unknown option '" + word + "'" +
-                       known_ones(word, {"--set", "--sweep", "--ranks-per-case", "--output",
-                                         "--estimate", "--check", "--list", "--defaults",
-                                         "--version", "--help"}));
+      throw InputError(
+          "command line: unknown option '" + word + "'" +
+          known_ones(word, {"--set", "--sweep", "--ranks-per-case", "--output", "--estimate",
+                            "--check", "--list", "--defaults", "--version", "--help"}));
     else if (!line.file.empty())
       throw InputError("command line: two parameter files, '" + line.file + "' and '" + word +
                        "'; give one");

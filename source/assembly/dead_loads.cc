@@ -1,5 +1,7 @@
 #include <thelma/assembly/dead_loads.h>
+#include <thelma/base/complaints.h>
 #include <thelma/base/parameters.h>
+#include <thelma/base/quantity.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -14,17 +16,24 @@ namespace
 
 const std::string place = "section Loads, entry 'Force'";
 
+/// Components with a unit behind the last one, if it is not that of the entry.
 template <int dim>
 dealii::Tensor<1, dim> parse_force(const std::string& text)
 {
-  std::istringstream numbers(text);
+  std::istringstream words(text);
+  std::vector<std::string> numbers(dim);
+  for (std::string& number : numbers)
+    words >> number;
+  std::string unit;
+  std::getline(words, unit);
   dealii::Tensor<1, dim> force;
-  std::string rest;
-  for (unsigned int d = 0; d < dim; ++d)
-    numbers >> force[d];
-  if (!numbers || numbers >> rest)
+  try {
+    for (unsigned int d = 0; d < dim; ++d)
+      force[d] = Quantity(dim == 3 ? "N" : "N/mm").value(numbers[d] + unit);
+  } catch (const InputError& error) {
     throw InputError(place + ": '" + text + "' is no force; write its " + std::to_string(dim) +
-                     " components in N with blanks between");
+                     " components in N with blanks between: " + error.what());
+  }
   return force;
 }
 
@@ -36,9 +45,10 @@ void DeadLoads<dim>::declare(dealii::ParameterHandler& prm)
   const Section section(prm, {"Loads"});
   prm.add_parameter(
       "Force", texts,
-      "Forces in N on surfaces (in plane strain N per mm of depth), to which the "
-      "stage `force` (Loading/Stages) goes, as `grip: 0 0 0.05`. They keep their "
-      "direction and are spread evenly over the undeformed surface.",
+      "Forces on surfaces, to which the stage `force` (Loading/Stages) goes, as `grip: 0 0 0.05`. "
+      "They "
+      "keep their direction and are spread evenly over the undeformed surface. Unit: N, in plane "
+      "strain N/mm of depth.",
       dealii::Patterns::Map(dealii::Patterns::Anything(), dealii::Patterns::Anything(), 0, 100));
 }
 
@@ -46,8 +56,12 @@ template <int dim>
 void DeadLoads<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout)
 {
   forces = layout.new_vector();
+  Complaints complaints;
   for (const auto& [surface, text] : texts)
-    add(mesh, layout, surface, parse_force<dim>(text));
+    complaints.allow([&, &surface = surface, &text = text]() {
+      add(mesh, layout, surface, parse_force<dim>(text));
+    });
+  complaints.raise();
 }
 
 template <int dim>

@@ -32,12 +32,20 @@ void System<dim>::declare(dealii::ParameterHandler& prm)
 }
 
 template <int dim>
-void System<dim>::setup(const Solved fields)
+void System<dim>::choose(const Solved fields)
 {
   solved = fields;
   const auto timer = timings.measure("setup");
   formulation = formulations<dim>().create(formulation_name);
   formulation->setup(layout);
+  choose_solver();
+}
+
+template <int dim>
+void System<dim>::setup()
+{
+  const auto timer = timings.measure("setup");
+  const Solved fields = solved;
   const bool heated = layout.has(Field::temperature);
   const auto is_solved = [heated, fields](const Cell<dim>& cell, const unsigned int c) {
     const bool temperature = heated && c == cell.n_components - 1;
@@ -57,7 +65,7 @@ void System<dim>::setup(const Solved fields)
   internal_base = internal_correction = internal_response = state.internal;
   state.x.update_ghost_values();
   compute_scales();
-  make_solver();
+  keep_pressures();
 }
 
 template <int dim>
@@ -74,7 +82,8 @@ void System<dim>::setup(const Solved fields, const System& other)
 {
   formulation_name = other.formulation_name;
   linear_settings = other.linear_settings;
-  setup(fields);
+  choose(fields);
+  setup();
 }
 
 template <int dim>

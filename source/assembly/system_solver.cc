@@ -8,7 +8,7 @@ namespace thelma
 {
 
 template <int dim>
-void System<dim>::make_solver()
+void System<dim>::choose_solver()
 {
   unsigned long long unknowns = 0;
   for (const Field field : layout.fields())
@@ -20,6 +20,11 @@ void System<dim>::make_solver()
     choice = {"direct", "the temperature alone is small"};
   solver = linear_solvers().create(choice.solver);
   solver->setup(layout.communicator(), is_symmetric(), linear_settings);
+}
+
+template <int dim>
+void System<dim>::keep_pressures()
+{
   pressures.reset();
   low_order.reset();
   if (!solver->keeps_pressures())
@@ -57,8 +62,10 @@ std::string System<dim>::solver_description() const
          (solver->has_inertia() ? "" : "; whether a state is stable remains unknown");
 }
 
-template void System<2>::make_solver();
-template void System<3>::make_solver();
+template void System<2>::choose_solver();
+template void System<3>::choose_solver();
+template void System<2>::keep_pressures();
+template void System<3>::keep_pressures();
 template LinearReport System<2>::prepare_solver();
 template LinearReport System<3>::prepare_solver();
 template std::string System<2>::solver_description() const;

@@ -39,6 +39,29 @@ std::vector<std::uint8_t> entities_of_a_cell()
   return masks;
 }
 
+/// Throws InputError unless every face belongs to one cell or two different ones.
+template <int dim>
+void require_neighbours(const std::vector<dealii::CellData<dim>>& cells)
+{
+  std::map<VertexSet, std::vector<VertexSet>> cells_of_face;
+  for (const dealii::CellData<dim>& cell : cells) {
+    VertexSet all(cell.vertices.begin(), cell.vertices.end());
+    std::sort(all.begin(), all.end());
+    for (unsigned int f = 0; f < dealii::GeometryInfo<dim>::faces_per_cell; ++f) {
+      VertexSet face;
+      for (unsigned int v = 0; v < dealii::GeometryInfo<dim>::vertices_per_face; ++v)
+        face.push_back(cell.vertices[dealii::GeometryInfo<dim>::face_to_cell_vertices(f, v)]);
+      std::sort(face.begin(), face.end());
+      std::vector<VertexSet>& owners = cells_of_face[face];
+      if (owners.size() == 2 || std::find(owners.begin(), owners.end(), all) != owners.end())
+        throw InputError(
+            "section Mesh, entry 'File': cells lie upon each other, more than two share "
+            "a face; every cell belongs to one named region, once");
+      owners.push_back(all);
+    }
+  }
+}
+
 } // namespace
 
 template <int dim>
@@ -122,9 +145,10 @@ void Mesh<dim>::create_triangulation(const CoarseMesh& coarse)
       }
       region_names.push_back(group.name);
     }
-  dealii::GridTools::invert_all_negative_measure_cells(vertices, cells);
-  dealii::GridTools::consistently_order_cells(cells);
+  dealii::GridTools::invert_cells_with_negative_measure(vertices, cells);
   check_shapes(vertices, cells, "");
+  require_neighbours<dim>(cells);
+  dealii::GridTools::consistently_order_cells(cells);
   if (imperfection != 0.) {
     displace(vertices);
     check_shapes(vertices, cells,

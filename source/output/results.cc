@@ -4,12 +4,12 @@
 #include <thelma/output/run_report.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
-#include <limits>
 #include <sstream>
 
 namespace thelma
@@ -59,13 +59,6 @@ void Results<dim>::declare(dealii::ParameterHandler& prm)
     }
 }
 
-/// Where the deformation is solved for with the temperature, the system is not symmetric.
-template <int dim>
-static bool has_stability(const Scene<dim>& scene)
-{
-  return !scene.layout.has(Field::temperature) || scene.layout.is_transient();
-}
-
 template <int dim>
 void Results<dim>::setup(const Scene<dim>& scene, const double theta)
 {
@@ -79,7 +72,7 @@ void Results<dim>::setup(const Scene<dim>& scene, const double theta)
       columns.push_back(column);
   }
   columns.emplace_back("min_det_F");
-  if (has_stability(scene))
+  if (scene.system.knows_stability())
     columns.emplace_back("unstable_directions");
   columns.emplace_back("newton_iterations");
   columns.emplace_back("seconds");
@@ -135,9 +128,8 @@ void Results<dim>::add(const Scene<dim>& scene, const PathPoint& point, const Ne
     for (const double value : entry.second->evaluate(scene))
       row.push_back(value);
   row.push_back(report.min_det_F);
-  if (has_stability(scene))
-    row.push_back(scene.system.knows_stability() ? static_cast<double>(point.unstable_directions)
-                                                 : std::numeric_limits<double>::quiet_NaN());
+  if (scene.system.knows_stability())
+    row.push_back(static_cast<double>(point.unstable_directions));
   row.push_back(report.iterations);
   row.push_back(stopwatch.seconds());
   curve->add(row);

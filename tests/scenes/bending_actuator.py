@@ -13,7 +13,7 @@ import tempfile
 from pathlib import Path
 
 from bending_reference import exact_mid_rotation
-from scene import program_and_ranks, require
+from scene import program_and_ranks, require, validated
 
 
 def last_value(program, scene, folder, column, field, *options, ranks=1):
@@ -37,6 +37,8 @@ def check_convergence(program, folder, ranks):
         order = math.log2(errors[0] / errors[1])
         print(f"alpha {alpha} theta {theta} e {field}: exact {exact:.4f} degrees, relative errors "
               f"{errors[0]:.1e} {errors[1]:.1e}, order {order:.2f}")
+        validated("bending_actuator_plane", f"rotation of mid-length at e = {field}, {theta} K, "
+                  f"alpha = {alpha}, 4 x 40 cells", "exact circle", errors[1])
         require(errors[1] < 1e-4, f"error {errors[1]:.1e} is not below 0.01 %")
         require(order > 3.5, f"order {order:.2f} is not about 4")
 
@@ -94,6 +96,8 @@ def main():
             found = last_value(program, "bending_actuator", Path(folder), "end_rotation_deg", field)
             print(f"paper's mesh and element, e = {field}: end face turns {found:.2f} degrees "
                   f"({angle})")
+            validated("bending_actuator", f"rotation of the end face at e = {field}, paper's mesh "
+                      "and element", "independent code, same element", found / angle - 1)
             require(abs(found / angle - 1) < 0.01, f"it turns {found:.2f} degrees, not {angle}")
 
 

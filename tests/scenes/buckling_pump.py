@@ -12,7 +12,7 @@ import re
 import tempfile
 from pathlib import Path
 
-from scene import program_and_ranks, require, study
+from scene import program_and_ranks, require, study, validated
 import buckling
 
 LENGTH, THICKNESS = 20.0, 1.0  # mm
@@ -45,6 +45,8 @@ def heated(theta):
 def require_near(what, value, reference, tolerance=TOLERANCE):
     """Within the relative tolerance."""
     print(f"{what}: {value:.5g}, reference {reference:.5g}, {100 * (value / reference - 1):+.2f} %")
+    validated("buckling_pump", what, "thin strip" if "thin" in what else
+              "its quarter" if "quarter" in what else "independent code", value / reference - 1)
     require(abs(value / reference - 1) <= tolerance, f"{what}: {value}, not {reference}")
 
 

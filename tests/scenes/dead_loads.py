@@ -9,7 +9,7 @@ from pathlib import Path
 
 from scipy.optimize import fsolve
 
-from scene import program_and_ranks, require
+from scene import program_and_ranks, require, validated
 import planar_exact
 
 AREA = 5.0  # mm^2 of the film's loaded face
@@ -44,6 +44,7 @@ def check_film(program, folder, ranks):
         worst = max(worst, abs(l_1 - exact[0]), abs(l_3 - exact[2]))
     print(f"{ranks} rank(s): {len(curve['e'])} states of the film under weight and voltage up to "
           f"lambda_1 = {curve['lambda_1'][-1]:.5f}, largest error {worst:.1e}")
+    validated("dead_load", "lambda_1, lambda_3 of every state", "exact, homogeneous", worst)
     require(worst < 1e-8, f"a stretch is off by {worst}")
 
 
@@ -56,6 +57,7 @@ def check_column(program, folder, ranks):
     euler = math.pi**2 * 4 * planar_exact.Material().mu(293) / 12 / (4 * 20**2)
     print(f"{ranks} rank(s): the column buckles under {found:.6e} N/mm, Euler's load "
           f"{euler:.6e}, and bends by {curve['tip_u1_mm'][-1]:.3f} mm")
+    validated("column", "buckling force", "Euler, slender limit", found / euler - 1)
     # Compressed before it buckles, and sheared: off by the square of its slenderness.
     require(abs(found / euler - 1) < 1 / 20**2 * 4, "not Euler's load")
     require(abs(curve["tip_u1_mm"][-1]) > 1 and not curve["unstable_directions"][-1],

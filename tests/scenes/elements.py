@@ -12,7 +12,7 @@ import tempfile
 from pathlib import Path
 
 from bending_reference import exact_mid_rotation
-from scene import program_and_ranks, require
+from scene import program_and_ranks, require, validated
 
 FORMULATIONS = {  # name: formulation, degree, cells; all with the same nodes
     "Q1 standard": ("standard", 1, (4, 20)),
@@ -66,6 +66,8 @@ def check_parasitic_shear(program, folder):
         error = rotation_error(program, folder, "Q1/P0", 0.05, 293.0, 0.0, cells=(n1, n3))
         stiffness, expected = 1 / (1 + error), 1 + (20 / n3) ** 2 / 4 - 1 / (2 * n1**2)
         print(f"Q1/P0, {n1} x {n3} cells: stiffness {stiffness:.4f}, by hand {expected:.4f}")
+        validated("bending_actuator_plane", f"stiffness of Q1/P0 with parasitic shear, {n1} x {n3}",
+                  "by hand, small rotations", stiffness / expected - 1)
         require(abs(stiffness / expected - 1) < 0.01, "the parasitic stiffness is another")
 
 

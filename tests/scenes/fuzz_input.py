@@ -16,6 +16,8 @@ from scene import program_and_ranks, require
 
 LIMIT = 60  # s; a sound one takes a third of a second
 SEED = 3
+SMALL = ("0", "1", "2", "3", "7", "27", "99", "-1")  # a geometry takes larger ones at their word
+LARGE = (*SMALL, "1e9", "4294967297", "-9223372036854775808")
 BYTES = "\t\n\\#=:;,/'\"%${}()[]<>-+.e0129azAZ*"
 CONDITIONS = {  # what the geometries need to be scenes
     "box.geo": "planar_actuator.prm", "bilayer_plane.geo": "bending_actuator_plane.prm",
@@ -23,7 +25,7 @@ CONDITIONS = {  # what the geometries need to be scenes
 }
 
 
-def damaged(text, rng):
+def damaged(text, rng, numbers=SMALL):
     """The text with a few letters or numbers changed, removed, repeated or inserted."""
     for _ in range(rng.randint(1, 3)):
         at = rng.randrange(len(text))
@@ -32,8 +34,7 @@ def damaged(text, rng):
             text = text[:at] + rng.choice(BYTES) + text[at + 1:]
         elif kind > 3:
             number = rng.choice(list(re.finditer(r"\d+", text)))
-            other = rng.choice(["0", "1", "2", "3", "7", "27", "99", "-1", "1e9", "4294967297"])
-            text = text[:number.start()] + other + text[number.end():]
+            text = text[:number.start()] + rng.choice(numbers) + text[number.end():]
         elif kind == 1:
             text = text[:at] + text[at + rng.randint(1, 30):]
         elif kind == 2:
@@ -113,7 +114,7 @@ def jobs(program, folder):
         yield [f"prm/{scene}", "--set", f"Mesh/File={path}"], path
     for n in range(40):
         path = folder / f"{n}.msh"
-        path.write_text(damaged(box_mesh(), rng))
+        path.write_text(damaged(box_mesh(), rng, LARGE))
         yield ["prm/planar_actuator.prm", "--set", f"Mesh/File={path}", "--set",
                "Mesh/Parameters="], path
 

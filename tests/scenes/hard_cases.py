@@ -8,7 +8,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from scene import program_and_ranks, require
+from scene import program_and_ranks, require, validated
 import bending_exact
 import constant_charge
 import gent_exact
@@ -42,6 +42,7 @@ def exact_rotation(e, length):
 def require_within(what, value, reference, tolerance):
     """Within the relative tolerance."""
     print(f"  {what}: {value:.6g}, reference {reference:.6g}")
+    validated("hard cases", what, "doc/hard_cases.md", value / reference - 1)
     require(abs(value / reference - 1) <= tolerance, f"{what}: {value}, not {reference}")
 
 
@@ -67,6 +68,8 @@ def pull_in_loop(program, folder, ranks):
         require(all(curve["unstable_directions"][rows[0] + 1:]), "stable beyond the limit point")
         print(f"  {formulation}{', control by ' * bool(controlled)}{controlled}: limit point e - exact {e - limit.e:.1e}, largest error of a state "
               f"{error:.1e} in e, {len(curve['e'])} rows")
+        validated("hard/pull_in_loop", f"e of every state of both branches, {formulation}"
+                  f"{', control by ' * bool(controlled)}{controlled}", "exact, homogeneous", error)
 
 
 def snap_through(program, folder, ranks):
@@ -84,6 +87,9 @@ def snap_through(program, folder, ranks):
         found = curve["e"][rows]
         exact = [e for e, _ in gent_exact.limit_points(100, reference)]
         require(max(abs(found - exact)) < tolerance, f"limit points at {found}, exact {exact}")
+        validated("hard/snap_through", f"e of both limit points, K/mu = {ratio:g}",
+                  "exact, homogeneous" if reference else "closed form, incompressible",
+                  max(abs(found - exact)))
         print(f"  K/mu = {ratio:g}: limit points {found[0]:.8f}, {found[1]:.8f}, "
               f"{'exact' if reference else 'closed form'} {exact[0]:.8f}, {exact[1]:.8f}, "
               f"{len(curve['e'])} rows")

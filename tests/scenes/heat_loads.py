@@ -10,7 +10,7 @@ import json
 import tempfile
 from pathlib import Path
 
-from scene import program_and_ranks, require
+from scene import program_and_ranks, require, validated
 
 SLAB = "verification/slab_heating"
 
@@ -24,6 +24,7 @@ def run(program, folder, scene, entries, ranks=1, exit_code=0):
 
 def check_value(what, found, exact, tolerance):
     print(f"{what}: {found:.9f} K, exactly {exact} K")
+    validated("heat loads", f"temperature in K, {what}", "exact, by hand", found - exact)
     require(abs(found - exact) < tolerance, f"{what}: {found} K, not {exact} K")
 
 

@@ -9,7 +9,7 @@ import tempfile
 from pathlib import Path
 
 from bending_reference import exact_mid_rotation
-from scene import program_and_ranks, require
+from scene import program_and_ranks, require, validated
 import accuracy_steps
 
 MISSING = ["ledger_energy_missing_mJ", "ledger_entropy_missing_mJ_per_K"]
@@ -28,6 +28,7 @@ def check_end(program, folder, ranks):
     error = turns[0][-1] / exact - 1
     print(f"after 40 s mid-length turns {turns[0][-1]:.3f} degrees, exactly {exact:.3f}, "
           f"relative error {error:.1e}")
+    validated("heated_bending", "rotation of mid-length after 40 s", "exact circle at 353 K", error)
     require(abs(error) < 1e-3, f"error {error:.1e}")
     difference = max(abs(turn[-1] - turns[0][-1]) for turn in turns)
     require(difference < 1e-6 and len({len(turn) for turn in turns}) == 1,

@@ -10,7 +10,7 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from scene import program_and_ranks, require
+from scene import program_and_ranks, require, validated
 import planar_exact as exact
 
 TOLERANCE = 1e-8  # relative
@@ -68,6 +68,7 @@ def check(name, case, free, thickness, area, force):
     for column, value in expected.items():
         error = abs(last[column] / value - 1)
         print(f"{name}: {column} {last[column]:.9g}, relative error {error:.1e}")
+        validated("planar_actuator", f"{column}, {name}", "exact, homogeneous", error)
         require(error < TOLERANCE, f"{name}: {column} is {last[column]}, exactly {value}")
     for column in curve:
         if column.startswith("reaction") and column != force:

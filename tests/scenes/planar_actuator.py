@@ -6,7 +6,7 @@
 import tempfile
 from pathlib import Path
 
-from scene import program_and_ranks, require, study
+from scene import program_and_ranks, require, study, validated
 import planar_exact as exact
 
 SWEEP = study.TEMPERATURE + "=273,293,313,333,353"  # K
@@ -74,6 +74,10 @@ def check_study(output, alpha, ranks):
         below, above = case.pull_in()
         print(f"{name}: e_c in [{below:.6f}, {above:.6f}], exact {limit.e:.6f}, "
               f"largest error of lambda_3 {largest:.1e}")
+        validated("planar_actuator", f"lambda_3 of every state, alpha = {alpha}, {theta:g} K",
+                  "exact, homogeneous", largest)
+        validated("planar_actuator", f"pull-in e, alpha = {alpha}, {theta:g} K",
+                  "exact, homogeneous", (below + above) / 2 / limit.e - 1)
 
 
 def main():

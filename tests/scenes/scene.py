@@ -38,6 +38,12 @@ class Program:
         return study.Case(Path(output))
 
 
+def validated(scene, quantity, reference, error):
+    """A row of doc/validation.md: what was compared with which reference, and by how much it is off
+    (a relative error unless the quantity names a unit)."""
+    print(f"VALIDATED | {scene} | {quantity} | {reference} | {abs(error):.1e}")
+
+
 def require(condition, sentence):
     """Ends the test with the sentence unless the condition holds."""
     if not condition:

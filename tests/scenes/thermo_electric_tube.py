@@ -10,7 +10,7 @@ import math
 import tempfile
 from pathlib import Path
 
-from scene import program_and_ranks, require
+from scene import program_and_ranks, require, validated
 
 COLUMNS = ["tip_u1_mm", "centre_u1_mm", "probe_phi_kV", "probe_theta_K"]
 
@@ -42,6 +42,11 @@ def check_rows(program, folder, rows):
         print(f"{row['V_kV']:>2} kV, {row['theta_inner_K']} K inside, {row['theta_outer_K']} K outside: "
               f"relative errors of r_i {errors[0]:.1e}, r_o {errors[1]:.1e}, phi {errors[2]:.1e}, "
               f"theta {errors[3]:.1e}")
+        case = f"{row['V_kV']} kV, {row['theta_inner_K']} and {row['theta_outer_K']} K"
+        validated("thermo_electric_tube", f"radii, {case}", "boundary value problem, two codes",
+                  max(errors[:2]))
+        validated("thermo_electric_tube", f"potential and temperature, {case}",
+                  "boundary value problem, two codes", max(errors[2:]))
         require(max(errors[:2]) < 1e-6 and max(errors[2:]) < 1e-5, "an error is too large")
 
 

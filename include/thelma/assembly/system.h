@@ -27,11 +27,14 @@ public:
 
   void declare(dealii::ParameterHandler& prm);
 
-  /// Build matrix, formulation and solver for the fields to be solved; the fields and constraints
-  /// must stand.
-  void setup(Solved fields = Solved::all);
+  /// Choose formulation and linear solver for the fields to be solved; the fields must stand.
+  /// Throws InputError where they do not fit.
+  void choose(Solved fields = Solved::all);
 
-  /// The same with the formulation of @p other.
+  /// Build the matrix for what has been chosen; the constraints must stand.
+  void setup();
+
+  /// Both, as chosen for @p other.
   void setup(Solved fields, const System& other);
 
   /// Set the internal unknowns to those of the stress-free body at the uniform temperature.
@@ -115,7 +118,8 @@ private:
   /// Replace minus a nodal residual by the correction that belongs to it; the charges of floating
   /// electrodes lack @p charges.
   LinearReport solve_tangent(BlockVector& vector, const std::vector<double>& charges);
-  void make_solver();
+  void choose_solver();
+  void keep_pressures();
   LinearReport prepare_solver();
   Elimination<dim> elimination(std::size_t cell) const;
   void keep_elimination(std::size_t cell, const CellResult& result);
@@ -146,10 +150,10 @@ private:
   std::unique_ptr<PressureBlocks<dim>> pressures; ///< of a solver that keeps them
   std::unique_ptr<LowOrder<dim>> low_order;
   std::unique_ptr<LinearSolver> solver; ///< refers to both
-  std::vector<double> scales; ///< per block
-  double volume = 0.;         ///< mm^dim
-  double tangent_cost = 1.;   ///< of the last one, LinearReport::cost
-  int unstable_inside = 0;    ///< directions in all cells, at the last tangent
+  std::vector<double> scales;           ///< per block
+  double volume = 0.;                   ///< mm^dim
+  double tangent_cost = 1.;             ///< of the last one, LinearReport::cost
+  int unstable_inside = 0;              ///< directions in all cells, at the last tangent
   BlockVector raw_residual, loads, base, nodal_correction, nodal_response;
   std::vector<double> internal_base, internal_correction, internal_response;
   std::vector<double> internal_residual; ///< of all own cells
