@@ -37,7 +37,7 @@ void LinearSettings::declare(dealii::ParameterHandler& prm)
 
 LinearChoice choose_linear_solver(const LinearSettings& settings, const LinearProblemSize& size)
 {
-  constexpr unsigned long long direct_limit = 100000; // doc/scaling.md, "Cross-over"
+  constexpr unsigned long long direct_limit = 300000; // doc/scaling.md
   const std::string count = std::to_string(size.unknowns) + " unknowns";
   const bool block_works = size.pressures_can_be_kept;
   if (settings.solver == "block" && !block_works)
