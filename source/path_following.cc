@@ -35,25 +35,26 @@ void PathFollowing<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& la
                                const BoundaryConditions<dim>& conditions)
 {
   const std::string place = "section Stepping, entry 'Controlled displacement'";
-  for (const auto& [group, component] : controlled) {
-    if (!is_automatic() || branch != "none")
-      throw InputError(place + ": it leads along a path only with Continuation = automatic and "
-                               "Branch = none");
-    BlockVector row = layout.new_vector();
-    std::size_t n_free = 0;
-    for (const unsigned int c : components_named<dim>(component, place))
-      for (const auto dof : dofs_on(mesh, layout, group, place, c))
-        if (!conditions.constraints().is_constrained(dof)) {
-          ++n_free;
-          if (row.block(0).in_local_range(dof))
-            row.block(0)(dof) = 1.;
-        }
-    if (n_free == 0)
-      throw InputError(place + ": '" + group + "' is held in the direction " + component +
-                       "; choose a displacement that is free");
-    row /= static_cast<double>(n_free);
-    metric.choose(row.block(0));
-  }
+  if (controlled.empty())
+    return;
+  if (!is_automatic() || branch != "none")
+    throw InputError(place + ": it leads along a path only with Continuation = automatic and "
+                             "Branch = none");
+  const auto& [group, component] = *controlled.begin();
+  BlockVector row = layout.new_vector();
+  std::size_t n_free = 0;
+  for (const unsigned int c : components_named<dim>(component, place))
+    for (const auto dof : dofs_on(mesh, layout, group, place, c))
+      if (!conditions.constraints().is_constrained(dof)) {
+        ++n_free;
+        if (row.block(0).in_local_range(dof))
+          row.block(0)(dof) = 1.;
+      }
+  if (n_free == 0)
+    throw InputError(place + ": '" + group + "' is held in the direction " + component +
+                     "; choose a displacement that is free");
+  row /= static_cast<double>(n_free);
+  metric.choose(row.block(0));
 }
 
 /// Displacements count in multiples of what the load has done so far per load.
@@ -158,7 +159,7 @@ void PathFollowing<dim>::examine(const Plane& plane, PathState& found)
   ++n_iterations;
   ++n_factorisations;
   found.load = system.load();
-  if (system.is_symmetric())
+  if (system.knows_stability())
     found.unstable_directions = system.unstable_directions(found.report.negative_pivots);
   const auto& response = system.response();
   found.slope =

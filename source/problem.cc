@@ -71,13 +71,14 @@ void Problem<dim>::setup()
   state.x = layout.new_vector();
   if (layout.has(Field::temperature))
     state.x.block(layout.block(Field::temperature)) = theta_start;
-  system.setup(layout.is_transient() ? Solved::deformation : Solved::all);
+  system.setup();
   transient.setup(system, loading.voltage(1.), theta);
   predictor.setup(system.element());
   state.start();
 
   outcome.modelled = layout.summary();
   outcome.modelled.push_back(loading.description());
+  outcome.modelled.push_back(system.solver_description());
   if (layout.is_transient())
     for (const std::string& line : transient.summary())
       outcome.modelled.push_back(line);
@@ -122,12 +123,17 @@ void Problem<dim>::check_and_set_up(Complaints& found)
                               found.allow([&]() { conditions.require_held(mesh); });
   if (has_conditions)
     found.allow([&]() { nodal_heat.setup(mesh, layout, conditions); });
-  found.allow([&]() { dead_loads.setup(mesh, layout); });
-  found.allow([&]() { results.setup(scene(), theta); });
+  if (path_following.is_automatic())
+    system.require_inertia();
+  const bool has_system = found.allow(
+      [&]() { system.choose(layout.is_transient() ? Solved::deformation : Solved::all); });
+  if (has_system)
+    found.allow([&]() { results.setup(scene(), theta); });
   found.allow([&]() { check_path(); });
+  found.allow([&]() { dead_loads.setup(mesh, layout); });
   if (has_conditions) {
-    found.allow([&]() { path_following.setup(mesh, layout, conditions); });
     found.allow([&]() { check_stages(); });
+    found.allow([&]() { path_following.setup(mesh, layout, conditions); });
   }
 }
 
@@ -202,6 +208,7 @@ bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
     }
     outcome.newton_iterations += report.iterations;
     outcome.factorisations += report.factorisations;
+    outcome.linear_iterations += report.linear_iterations;
     if (!report.converged) {
       ++outcome.failed_steps;
       last_failure = report.reason;
@@ -225,7 +232,7 @@ bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
 template <int dim>
 long long Problem<dim>::unstable_directions(const NewtonReport& report) const
 {
-  return system.is_symmetric() ? system.unstable_directions(report.negative_pivots) : 0;
+  return system.knows_stability() ? system.unstable_directions(report.negative_pivots) : 0;
 }
 
 /// A converged state counts only if it is stable, unless the scene says otherwise.

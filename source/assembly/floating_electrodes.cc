@@ -101,7 +101,7 @@ void FloatingElectrodes<dim>::add(const std::size_t index, const Cell<dim>& cell
 }
 
 template <int dim>
-void FloatingElectrodes<dim>::finish(Mumps& solver)
+void FloatingElectrodes<dim>::finish(LinearSolver& solver)
 {
   if (floating.empty())
     return;

@@ -20,6 +20,7 @@ System<dim>::System(const FieldLayout<dim>& layout, const BoundaryConditions<dim
 template <int dim>
 void System<dim>::declare(dealii::ParameterHandler& prm)
 {
+  linear_settings.declare(prm);
   std::string names;
   for (const std::string& name : formulations<dim>().names())
     names += (names.empty() ? "" : "|") + name;
@@ -31,12 +32,20 @@ void System<dim>::declare(dealii::ParameterHandler& prm)
 }
 
 template <int dim>
-void System<dim>::setup(const Solved fields)
+void System<dim>::choose(const Solved fields)
 {
   solved = fields;
   const auto timer = timings.measure("setup");
   formulation = formulations<dim>().create(formulation_name);
   formulation->setup(layout);
+  choose_solver();
+}
+
+template <int dim>
+void System<dim>::setup()
+{
+  const auto timer = timings.measure("setup");
+  const Solved fields = solved;
   const bool heated = layout.has(Field::temperature);
   const auto is_solved = [heated, fields](const Cell<dim>& cell, const unsigned int c) {
     const bool temperature = heated && c == cell.n_components - 1;
@@ -47,7 +56,6 @@ void System<dim>::setup(const Solved fields)
                  return is_solved(cell, c) && is_solved(cell, d);
                });
   floating.setup();
-  solver = std::make_unique<Mumps>(layout.communicator(), is_symmetric());
   state.internal.resize(layout.cells().size() * formulation->n_internal());
   start_internal();
   internal_residual.assign(state.internal.size(), 0.);
@@ -57,6 +65,7 @@ void System<dim>::setup(const Solved fields)
   internal_base = internal_correction = internal_response = state.internal;
   state.x.update_ghost_values();
   compute_scales();
+  keep_pressures();
 }
 
 template <int dim>
@@ -72,7 +81,9 @@ template <int dim>
 void System<dim>::setup(const Solved fields, const System& other)
 {
   formulation_name = other.formulation_name;
-  setup(fields);
+  linear_settings = other.linear_settings;
+  choose(fields);
+  setup();
 }
 
 template <int dim>
@@ -192,34 +203,36 @@ LinearReport System<dim>::linear_solve(const bool reuse)
   if (!reuse || !floating.is_current()) {
     assemble_tangent();
     const auto timer = timings.measure("factorisation");
-    report = solver->factorise(matrix.matrix());
+    report = prepare_solver();
     if (!report.solved)
       return report;
     tangent_cost = report.cost;
-    floating.finish(*solver);
-    report.negative_pivots += floating.negative_pivots();
   }
   const auto timer = timings.measure("linear solve");
   nodal_correction.zero_out_ghost_values();
   nodal_correction = raw_residual;
   eliminate_internal(nodal_correction);
   nodal_correction *= -1.;
-  solve_tangent(nodal_correction, floating.charges(state.charge));
+  const LinearReport solution = solve_tangent(nodal_correction, floating.charges(state.charge));
   recover_internal(nodal_correction, internal_correction);
+  report.solved = solution.solved;
+  report.reason = solution.reason;
+  report.iterations = solution.iterations;
   return report;
 }
 
 template <int dim>
-void System<dim>::solve_tangent(BlockVector& vector, const std::vector<double>& charges)
+LinearReport System<dim>::solve_tangent(BlockVector& vector, const std::vector<double>& charges)
 {
   std::vector<double> lacking = floating.sums(vector);
   for (std::size_t k = 0; k < lacking.size(); ++k)
     lacking[k] -= charges[k];
   conditions.constraints().set_zero(vector);
   clear_given(vector);
-  solver->solve(vector);
+  const LinearReport report = solver->solve(vector);
   conditions.constraints().set_zero(vector);
   floating.correct(lacking, vector);
+  return report;
 }
 
 /// Largest error of the charge of a floating electrode in units of the scaled residual.

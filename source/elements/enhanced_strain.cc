@@ -40,6 +40,9 @@ public:
 
   unsigned int n_internal() const override { return Base::n_internal() + dim * n_components; }
 
+  /// The modes are condensed after the pressures.
+  unsigned int n_kept_pressures() const override { return 0; }
+
   unsigned int n_elimination() const override
   {
     return Base::n_elimination() + dim * n_components * (1 + 2 * n_nodes * n_components);

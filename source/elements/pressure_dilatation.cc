@@ -241,7 +241,7 @@ void PressureDilatation<dim>::add_condensed(const CellView<dim>& view,
     std::copy_n(S + i * n_modes, n_modes, stiffness[i].begin());
   const bool heated = view.solves_temperature();
   for (int c = 0; c < dim; ++c) {
-    for (int d = heated ? 0 : c; d < dim; ++d)
+    for (int d = heated ? 0 : c; d < dim && !view.keeps_pressures; ++d)
       add_product(B + c * block_size(), stiffness, B + d * block_size(), view, c, d,
                   !heated && c != d, result);
     if (heated)

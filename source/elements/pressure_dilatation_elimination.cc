@@ -80,11 +80,25 @@ void PressureDilatation<dim>::recover(const Elimination<dim>& cell, const double
   }
 }
 
+template <int dim>
+PressureBlock PressureDilatation<dim>::pressures(const Elimination<dim>& cell) const
+{
+  const auto& basis = rule().basis();
+  return {n_modes,
+          basis.stride,
+          basis.n_nodes,
+          cell.kept,
+          cell.kept + n_modes * n_modes,
+          &mass_inverse[cell.index]};
+}
+
 template void PressureDilatation<2>::add_product(const double*, const ModeMatrix&, const double*,
                                                  const CellView<2>&, int, int, bool,
                                                  CellResult&) const;
 template void PressureDilatation<2>::eliminate(const Elimination<2>&, double*) const;
 template void PressureDilatation<2>::recover(const Elimination<2>&, const double*, double*) const;
+template PressureBlock PressureDilatation<2>::pressures(const Elimination<2>&) const;
+template PressureBlock PressureDilatation<3>::pressures(const Elimination<3>&) const;
 template void PressureDilatation<3>::add_product(const double*, const ModeMatrix&, const double*,
                                                  const CellView<3>&, int, int, bool,
                                                  CellResult&) const;

@@ -72,8 +72,7 @@ void Results<dim>::setup(const Scene<dim>& scene, const double theta)
       columns.push_back(column);
   }
   columns.emplace_back("min_det_F");
-  // Where the deformation is solved for with the temperature, the system is not symmetric.
-  if (!scene.layout.has(Field::temperature) || scene.layout.is_transient())
+  if (scene.system.knows_stability())
     columns.emplace_back("unstable_directions");
   columns.emplace_back("newton_iterations");
   columns.emplace_back("seconds");
@@ -129,7 +128,7 @@ void Results<dim>::add(const Scene<dim>& scene, const PathPoint& point, const Ne
     for (const double value : entry.second->evaluate(scene))
       row.push_back(value);
   row.push_back(report.min_det_F);
-  if (scene.system.is_symmetric())
+  if (scene.system.knows_stability())
     row.push_back(static_cast<double>(point.unstable_directions));
   row.push_back(report.iterations);
   row.push_back(stopwatch.seconds());

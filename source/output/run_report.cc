@@ -29,6 +29,7 @@ void write_run_report(const Outcome& outcome, const std::string& scene, const st
   report["failed_steps"] = outcome.failed_steps;
   report["newton_iterations"] = outcome.newton_iterations;
   report["factorisations"] = outcome.factorisations;
+  report["linear_iterations"] = outcome.linear_iterations;
   report["seconds"] = outcome.seconds;
   report["seconds_per_phase"] = outcome.seconds_per_phase;
   report["cells"] = outcome.cells;

@@ -61,6 +61,7 @@ NewtonReport Newton::solve(NonlinearSystem& system, bool reuse) const
     if (report.iterations == max_iterations)
       return fail("no convergence in " + std::to_string(max_iterations) + " iterations");
     const LinearReport linear = system.linear_solve(reuse);
+    report.linear_iterations += linear.iterations;
     if (!linear.solved)
       return fail(linear.reason);
     if (linear.factorised) {

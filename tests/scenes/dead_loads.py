@@ -64,12 +64,37 @@ def check_column(program, folder, ranks):
             "the column is not bent")
 
 
+def check_ledger(program, folder):
+    """Energy of the loaded film while it is warmed: the work of the weight closes the balance, to
+    the second order of BDF2."""
+    missing = []
+    for steps in (40, 80, 160):
+        entries = {"Loading/Stages": "force 1", "Electrodes/Potential": "",
+                   "Regions/Passive": "film", "Temperature/Model": "transient",
+                   "Temperature/Fixed": "bottom: 353", "Temperature/Value": "293",
+                   "Materials/elastomer/Thermal expansion": "1.8e-4", "Time/End": "4",
+                   "Time/Initial step": str(4 / steps), "Time/Tolerance": "0",
+                   "Time/Structural heat": "entropy", "Time/Wall amplitude": "sin(pi*t/8)^2",
+                   "Output/Observables": "lambda_1, lambda_3, ledger", "Output/Fields": "none"}
+        sets = [word for entry in entries.items() for word in ("--set", "=".join(entry))]
+        curve = program.run("verification/dead_load", folder, *sets).curve(
+            "ledger_energy_missing_mJ", "ledger_load_work_mJ")
+        missing.append(abs(curve["ledger_energy_missing_mJ"][-1]))
+        work = curve["ledger_load_work_mJ"][-1]
+    orders = [math.log2(a / b) for a, b in zip(missing, missing[1:])]
+    print(f"the weight does {work:.4f} mJ; missing {' '.join(f'{m:.3f}' for m in missing)} mJ, orders "
+          f"{' '.join(f'{order:.2f}' for order in orders)}")
+    require(min(orders) > 1.8 and missing[-1] < 0.1 * work, "energy is missing")
+
+
 def main():
     program, all_ranks = program_and_ranks(__doc__)
     for ranks in all_ranks:
         with tempfile.TemporaryDirectory() as folder:
             check_film(program, Path(folder) / "film", ranks)
             check_column(program, Path(folder) / "column", ranks)
+    with tempfile.TemporaryDirectory() as folder:
+        check_ledger(program, folder)
 
 
 main()

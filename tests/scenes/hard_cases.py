@@ -103,8 +103,8 @@ DEFLECTION = {0.25: 0.620, 0.40: 1.925, 0.60: 3.842}  # mm by e, independent cod
 
 
 def gent_stability(program, folder, ranks):
-    """(b) Its film is stable again behind the second limit point; Q1/P0 keeps three modes of a cell."""
-    for formulation, modes in (("standard", 0), ("mean dilatation", 3)):
+    """(b) Its film is stable again behind the second limit point; with one pressure a cell keeps three modes."""
+    for formulation, modes in (("standard", 0), ("mean dilatation", 3), ("selective reduced", 3)):
         case = program.run("hard/snap_through", folder, ranks=ranks,
                            *options(Discretisation__Formulation=formulation))
         curve = case.curve("unstable_directions", "event")

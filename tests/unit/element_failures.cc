@@ -6,6 +6,8 @@
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
+#include <thelma/solvers/mumps.h>
+
 #include <gtest/gtest.h>
 
 #include <functional>

@@ -33,6 +33,7 @@ struct TestScene {
     state.x = layout.new_vector();
     if (layout.has(Field::temperature))
       state.x.block(layout.block(Field::temperature)) = theta;
+    system.choose();
     system.setup();
     state.start();
   }

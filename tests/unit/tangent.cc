@@ -5,6 +5,8 @@
 
 #include <deal.II/fe/mapping_q1.h>
 
+#include <thelma/solvers/mumps.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

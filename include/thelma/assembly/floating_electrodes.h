@@ -2,7 +2,7 @@
 
 #include <thelma/fields/boundary_conditions.h>
 #include <thelma/fields/layout.h>
-#include <thelma/solvers/mumps.h>
+#include <thelma/solvers/linear_solver.h>
 
 #include <deal.II/lac/full_matrix.h>
 
@@ -36,7 +36,7 @@ public:
   /// Begin a new assembly, add the tangent of the own cell @p index, and end it.
   void clear();
   void add(std::size_t index, const Cell<dim>& cell, const std::vector<double>& entries);
-  void finish(Mumps& solver);
+  void finish(LinearSolver& solver);
 
   /// Whether the border is that of the electrodes that float now.
   bool is_current() const { return floating == now_floating(); }

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <thelma/assembly/floating_electrodes.h>
+#include <thelma/assembly/low_order.h>
 #include <thelma/assembly/nodal_heat.h>
+#include <thelma/assembly/pressure_blocks.h>
 #include <thelma/base/timings.h>
 #include <thelma/elements/formulation.h>
 #include <thelma/fields/state.h>
 #include <thelma/solvers/continuation.h>
-#include <thelma/solvers/mumps.h>
 
 #include <functional>
 #include <memory>
@@ -26,11 +27,14 @@ public:
 
   void declare(dealii::ParameterHandler& prm);
 
-  /// Build matrix, formulation and solver for the fields to be solved; the fields and constraints
-  /// must stand.
-  void setup(Solved fields = Solved::all);
+  /// Choose formulation and linear solver for the fields to be solved; the fields must stand.
+  /// Throws InputError where they do not fit.
+  void choose(Solved fields = Solved::all);
 
-  /// The same with the formulation of @p other.
+  /// Build the matrix for what has been chosen; the constraints must stand.
+  void setup();
+
+  /// Both, as chosen for @p other.
   void setup(Solved fields, const System& other);
 
   /// Set the internal unknowns to those of the stress-free body at the uniform temperature.
@@ -86,10 +90,20 @@ public:
   /// What the own cells store in mJ, in plane strain per mm.
   Energies energies() const;
 
-  /// The tangent has this many negative eigenvalues when the state is stable; none may be said of
-  /// an unsymmetric one.
   bool is_symmetric() const { return !layout.has(Field::temperature) || solved != Solved::all; }
+
+  /// Whether it is known in how many directions a state is unstable: not for an unsymmetric tangent
+  /// or one that is not factorised.
+  bool knows_stability() const { return solver->has_inertia(); }
+
+  /// By these negative pivots beyond those of a stable state's tangent.
   long long unstable_directions(long long negative_pivots) const;
+
+  /// Which linear solver serves, and why.
+  std::string solver_description() const;
+
+  /// From now on the path is followed by the count of unstable directions.
+  void require_inertia() { needs_inertia = true; }
 
 private:
   /// Residual with the internal unknowns eliminated, in @p nodal.
@@ -103,7 +117,10 @@ private:
 
   /// Replace minus a nodal residual by the correction that belongs to it; the charges of floating
   /// electrodes lack @p charges.
-  void solve_tangent(BlockVector& vector, const std::vector<double>& charges);
+  LinearReport solve_tangent(BlockVector& vector, const std::vector<double>& charges);
+  void choose_solver();
+  void keep_pressures();
+  LinearReport prepare_solver();
   Elimination<dim> elimination(std::size_t cell) const;
   void keep_elimination(std::size_t cell, const CellResult& result);
 
@@ -127,11 +144,16 @@ private:
   TangentMatrix<dim> matrix;
   FloatingElectrodes<dim> floating;
   std::vector<double> charge_scales; ///< of all electrodes
-  std::unique_ptr<Mumps> solver;
-  std::vector<double> scales; ///< per block
-  double volume = 0.;         ///< mm^dim
-  double tangent_cost = 1.;   ///< of the last one, LinearReport::cost
-  int unstable_inside = 0;    ///< directions in all cells, at the last tangent
+  LinearSettings linear_settings;
+  LinearChoice choice;
+  bool needs_inertia = false;
+  std::unique_ptr<PressureBlocks<dim>> pressures; ///< of a solver that keeps them
+  std::unique_ptr<LowOrder<dim>> low_order;
+  std::unique_ptr<LinearSolver> solver; ///< refers to both
+  std::vector<double> scales;           ///< per block
+  double volume = 0.;                   ///< mm^dim
+  double tangent_cost = 1.;             ///< of the last one, LinearReport::cost
+  int unstable_inside = 0;              ///< directions in all cells, at the last tangent
   BlockVector raw_residual, loads, base, nodal_correction, nodal_response;
   std::vector<double> internal_base, internal_correction, internal_response;
   std::vector<double> internal_residual; ///< of all own cells
@@ -166,6 +188,7 @@ void System<dim>::for_each_cell(const Visitor& visit) const
       }
       view.history = &history;
     }
+    view.keeps_pressures = pressures != nullptr;
     visit(view);
     ++index;
   }

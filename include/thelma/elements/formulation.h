@@ -29,6 +29,7 @@ struct CellView {
   bool has_temperature;
   Solved solved = Solved::all;
   const CellHistory* history = nullptr; ///< where structural heat is wanted
+  bool keeps_pressures = false;         ///< the tangent leaves out what goes through PressureBlock
 
   bool solves_deformation() const { return solved != Solved::temperature; }
   bool solves_temperature() const { return has_temperature && solved != Solved::deformation; }
@@ -68,6 +69,18 @@ struct Elimination {
   const double* residual; ///< CellResult::internal at the iterate
 };
 
+/// Values of one cell's pressure or dilatation modes; unused ones stay zero.
+using Modes = std::array<double, 8>;
+
+/// How the pressures of a cell answer to its displacements: q = S B u. Entry (i, c, a) of B is
+/// gradient[(c * n + i) * stride + a].
+struct PressureBlock {
+  unsigned int n, stride, n_nodes;
+  const double* stiffness; ///< S, row by row
+  const double* gradient;
+  const std::array<Modes, 8>* mass_inverse;
+};
+
 /// Residual and tangent of one cell. A new formulation is one file and one line in list.cc.
 template <int dim>
 class Formulation
@@ -98,6 +111,10 @@ public:
   virtual void recover(const Elimination<dim>&, const double* /*dx*/, double* /*correction*/) const
   {
   }
+
+  /// Pressures per cell that a linear solver may keep instead of condensing them, and what they do.
+  virtual unsigned int n_kept_pressures() const { return 0; }
+  virtual PressureBlock pressures(const Elimination<dim>&) const { return {}; }
 
   /// Make internal values those of an observer who deforms with the cell, so that they can be
   /// extrapolated while the body turns; and the way back.

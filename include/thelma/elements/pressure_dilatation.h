@@ -9,9 +9,6 @@
 namespace thelma
 {
 
-/// Coefficients of a pressure or dilatation over the modes of a cell; unused ones stay zero.
-using Modes = std::array<double, 8>;
-
 /// Formulations in which the volumetric energy sees a dilatation t of the cell instead of J, tied
 /// to it by a pressure p (theory.md, eq. 21):
 ///   Pi = int psi - psi_v(J) + psi_v(t) + p (J - t) dV.
@@ -35,6 +32,8 @@ public:
   void tangent(const CellView<dim>& view, CellResult& result) const override;
   void eliminate(const Elimination<dim>& cell, double* residual) const override;
   void recover(const Elimination<dim>& cell, const double* dx, double* correction) const override;
+  unsigned int n_kept_pressures() const override { return n_modes; }
+  PressureBlock pressures(const Elimination<dim>& cell) const override;
   Energies energies(const CellView<dim>& view) const override;
 
 protected:

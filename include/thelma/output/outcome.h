@@ -27,6 +27,7 @@ struct Outcome {
   std::optional<Bracket> pull_in;
 
   unsigned int steps = 0, failed_steps = 0, newton_iterations = 0, factorisations = 0, ranks = 1;
+  unsigned int linear_iterations = 0; ///< of a Krylov method
   double seconds = 0.;
   std::map<std::string, double> seconds_per_phase;
   std::map<std::string, unsigned long long> unknowns;

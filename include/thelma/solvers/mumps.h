@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/solvers/newton.h>
+#include <thelma/solvers/linear_solver.h>
 
 #include <deal.II/lac/la_parallel_block_vector.h>
 #include <deal.II/lac/trilinos_block_sparse_matrix.h>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <thelma/solvers/linear_solver.h>
+
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
@@ -13,15 +15,6 @@ struct ResidualReport {
   double norm;      ///< largest of the fields' scaled norms
   double min_det_F; ///< over every quadrature point of every rank
   bool admissible() const { return min_det_F > 0. && norm < 1e300; }
-};
-
-/// Outcome of one linear solve.
-struct LinearReport {
-  bool solved;
-  std::string reason;            ///< why not
-  bool factorised = false;       ///< a new tangent
-  long long negative_pivots = 0; ///< of a symmetric factorisation
-  double cost = 1.; ///< of a new tangent, in iterations that reuse one; a count, not a time
 };
 
 /// What Newton's method needs to know of a nonlinear system.
@@ -44,9 +37,10 @@ public:
 /// Outcome of one nonlinear solve; a failure is a value.
 struct NewtonReport {
   bool converged = false;
-  std::string reason;              ///< why not
-  unsigned int iterations = 0;     ///< corrections
-  unsigned int factorisations = 0; ///< tangents among them
+  std::string reason;                 ///< why not
+  unsigned int iterations = 0;        ///< corrections
+  unsigned int factorisations = 0;    ///< tangents among them
+  unsigned int linear_iterations = 0; ///< of a Krylov method, in all corrections
   std::vector<double> residuals;
   double min_det_F = 0.;
   long long negative_pivots = 0; ///< of the last tangent

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <thelma/base/named_list.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/lac/la_parallel_block_vector.h>
+#include <deal.II/lac/trilinos_block_sparse_matrix.h>
+
+#include <string>
+#include <vector>
+
+namespace thelma
+{
+
+/// Outcome of one linear solve.
+struct LinearReport {
+  bool solved;
+  std::string reason;            ///< why not
+  bool factorised = false;       ///< a new tangent
+  long long negative_pivots = 0; ///< of a symmetric factorisation
+  double cost = 1.; ///< of a new tangent, in iterations that reuse one; a count, not a time
+  unsigned int iterations = 0; ///< of a Krylov method
+};
+
+/// Pressures q of single cells that a tangent keeps as unknowns (theory.md, eq. 47):
+///   [ A  B^T ] [x]   [r]
+///   [ B  -C  ] [q] = [0].
+class CellPressures
+{
+public:
+  using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+  virtual ~CellPressures() = default;
+
+  /// A zero vector of all pressures.
+  virtual Vector new_vector() const = 0;
+
+  /// forces += B^T q, but nothing where the displacement is given.
+  virtual void add_forces(const Vector& q, Vector& forces) const = 0;
+
+  /// residual = B u - C q.
+  virtual void apply(const Vector& u, const Vector& q, Vector& residual) const = 0;
+
+  /// q = (C + M / mu)^-1 residual, with the mass matrix M: what B A^-1 B^T comes down to.
+  virtual void apply_inverse_schur(const Vector& residual, Vector& q) const = 0;
+
+  /// Inverse square roots of the diagonal of C + M / mu.
+  virtual Vector inverse_scales() const = 0;
+};
+
+/// Operators that stand for the diagonal blocks of a tangent wherever only their spectrum matters.
+class Surrogates
+{
+public:
+  virtual ~Surrogates() = default;
+
+  /// Build those of the present state.
+  virtual void update() = 0;
+
+  /// The positive operator of @p block; null for one that is best taken from the tangent.
+  virtual const dealii::TrilinosWrappers::SparseMatrix* matrix(unsigned int block) const = 0;
+
+  /// What displaces no cell relative to itself, one vector of this rank's entries each.
+  virtual const std::vector<std::vector<double>>& rigid_motions() const = 0;
+
+  /// Components of a node, which follow one another.
+  virtual unsigned int components(unsigned int block) const = 0;
+};
+
+/// A linearised balance as solvers see it.
+struct Tangent {
+  const dealii::TrilinosWrappers::BlockSparseMatrix& matrix;
+  const CellPressures* pressures = nullptr; ///< null: condensed
+  Surrogates* surrogates = nullptr;         ///< for solvers that keep pressures
+  std::vector<bool> solved = {};            ///< blocks that are no identity
+};
+
+/// What a .prm says of all linear solvers.
+struct LinearSettings {
+  std::string solver = "automatic";
+  double tolerance = 1e-8;
+  unsigned int max_iterations = 300;
+
+  void declare(dealii::ParameterHandler& prm);
+};
+
+/// Solves with one tangent after the other. A new solver is one file and one line in list.cc.
+class LinearSolver
+{
+public:
+  virtual ~LinearSolver() = default;
+
+  /// The tangents are @p symmetric or not.
+  virtual void setup(MPI_Comm comm, bool symmetric, const LinearSettings& settings) = 0;
+
+  /// Whether it wants the pressures of the cells as unknowns, not condensed.
+  virtual bool keeps_pressures() const { return false; }
+
+  /// Whether LinearReport::negative_pivots is known.
+  virtual bool has_inertia() const { return false; }
+
+  /// Make ready to solve with @p tangent, which stays as it is until the next.
+  virtual LinearReport prepare(const Tangent& tangent) = 0;
+
+  /// Replace the owned entries of @p vector by the solution with them as right-hand side.
+  virtual LinearReport solve(dealii::LinearAlgebra::distributed::BlockVector<double>& vector) = 0;
+};
+
+const NamedList<LinearSolver>& linear_solvers();
+
+std::unique_ptr<LinearSolver> make_direct_solver();
+std::unique_ptr<LinearSolver> make_block_solver();
+
+/// A solver by name, and why that one.
+struct LinearChoice {
+  std::string solver, reason;
+};
+
+/// What decides between the solvers.
+struct LinearProblemSize {
+  unsigned int dimension;
+  unsigned long long unknowns;
+  bool pressures_can_be_kept, needs_inertia;
+};
+
+LinearChoice choose_linear_solver(const LinearSettings& settings, const LinearProblemSize& size);
+
+} // namespace thelma

@@ -1,0 +1,226 @@
+#include <thelma/solvers/multigrid.h>
+
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/solver_gmres.h>
+
+#include <cmath>
+#include <memory>
+#include <optional>
+
+namespace thelma
+{
+namespace
+{
+
+using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+using BlockVector = dealii::LinearAlgebra::distributed::BlockVector<double>;
+using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;
+
+/// The tangent with its pressures as last block. Rows are scaled so that the norm of a residual
+/// makes sense in whatever units its fields have.
+class MixedOperator
+{
+public:
+  explicit MixedOperator(const Tangent& tangent)
+      : tangent(tangent), n(tangent.matrix.n_block_rows())
+  {
+    std::vector<double> sizes;
+    for (unsigned int b = 0; b < n; ++b) {
+      const auto& block = tangent.matrix.block(b, b);
+      sizes.push_back(block.frobenius_norm() / std::sqrt(static_cast<double>(block.m())));
+      row_scales.push_back(std::sqrt(sizes[0] / sizes[b]));
+    }
+    if (tangent.pressures) {
+      pressure_scales = tangent.pressures->inverse_scales();
+      pressure_scales *= std::sqrt(sizes[0]);
+    }
+  }
+
+  /// A zero vector of the unknowns, without ghosts.
+  BlockVector new_vector() const
+  {
+    BlockVector vector(n + (tangent.pressures ? 1 : 0));
+    for (unsigned int b = 0; b < n; ++b)
+      vector.block(b).reinit(tangent.matrix.block(b, b).locally_owned_range_indices(),
+                             tangent.matrix.get_mpi_communicator());
+    if (tangent.pressures)
+      vector.block(n) = tangent.pressures->new_vector();
+    vector.collect_sizes();
+    return vector;
+  }
+
+  void vmult(BlockVector& y, const BlockVector& x) const
+  {
+    for (unsigned int b = 0; b < n; ++b) {
+      tangent.matrix.block(b, b).vmult(y.block(b), x.block(b));
+      for (unsigned int c = 0; c < n; ++c)
+        if (c != b)
+          add(b, c, 1., x.block(c), y.block(b));
+    }
+    if (tangent.pressures) {
+      tangent.pressures->add_forces(x.block(n), y.block(0));
+      tangent.pressures->apply(x.block(0), x.block(n), y.block(n));
+    }
+    scale(y);
+  }
+
+  /// y += factor K_bc x.
+  void add(const unsigned int b, const unsigned int c, const double factor, const Vector& x,
+           Vector& y) const
+  {
+    const SparseMatrix& block = tangent.matrix.block(b, c);
+    if (block.n_nonzero_elements() == 0)
+      return;
+    Vector product(y);
+    block.vmult(product, x);
+    y.add(factor, product);
+  }
+
+  void scale(BlockVector& y) const
+  {
+    for (unsigned int b = 0; b < n; ++b)
+      y.block(b) *= row_scales[b];
+    if (tangent.pressures)
+      y.block(n).scale(pressure_scales);
+  }
+
+  void unscale(BlockVector& y) const
+  {
+    for (unsigned int b = 0; b < n; ++b)
+      y.block(b) /= row_scales[b];
+    if (tangent.pressures)
+      for (std::size_t i = 0; i < pressure_scales.locally_owned_size(); ++i)
+        y.block(n).local_element(i) /= pressure_scales.local_element(i);
+  }
+
+  Tangent tangent;
+  unsigned int n; ///< blocks without the pressures
+
+private:
+  std::vector<double> row_scales;
+  Vector pressure_scales;
+};
+
+/// From the last block to the first: pressures by their Schur complement, temperature, potential
+/// and displacements by multigrid, each with what the later ones do to it taken off.
+class BlockTriangular
+{
+public:
+  BlockTriangular(const MixedOperator& op, const std::vector<std::optional<Multigrid>>& inverses)
+      : op(op), inverses(inverses)
+  {
+  }
+
+  void vmult(BlockVector& z, const BlockVector& scaled) const
+  {
+    BlockVector r = scaled;
+    op.unscale(r);
+    const unsigned int n = op.n;
+    if (op.tangent.pressures) {
+      op.tangent.pressures->apply_inverse_schur(r.block(n), z.block(n));
+      op.tangent.pressures->add_forces(z.block(n), r.block(0));
+      z.block(n) *= -1.;
+    }
+    for (unsigned int b = n; b-- > 0;) {
+      if (!inverses[b]) {
+        z.block(b) = r.block(b);
+        continue;
+      }
+      for (unsigned int c = b + 1; c < n; ++c)
+        if (inverses[c])
+          op.add(b, c, -1., z.block(c), r.block(b));
+      inverses[b]->vmult(z.block(b), r.block(b));
+      if (op.tangent.surrogates->matrix(b) && b > 0)
+        z.block(b) *= -1.; // the potential's block is negative
+    }
+  }
+
+private:
+  const MixedOperator& op;
+  const std::vector<std::optional<Multigrid>>& inverses;
+};
+
+/// FGMRES on the tangent with pressures, preconditioned field by field.
+class BlockSolver final : public LinearSolver
+{
+public:
+  void setup(const MPI_Comm, const bool, const LinearSettings& chosen) override
+  {
+    settings = chosen;
+  }
+
+  bool keeps_pressures() const override { return true; }
+
+  LinearReport prepare(const Tangent& tangent) override
+  {
+    op.emplace(tangent);
+    if (!worth_keeping())
+      build(tangent);
+    // Assembly against residual and solution: a new tangent hardly costs more than an old one.
+    return {true, "", true, 0, 1.5};
+  }
+
+  LinearReport solve(BlockVector& vector) override
+  {
+    BlockVector x = op->new_vector(), b = x;
+    for (unsigned int k = 0; k < op->n; ++k)
+      b.block(k).copy_locally_owned_data_from(vector.block(k));
+    op->scale(b);
+    dealii::SolverControl control(settings.max_iterations, settings.tolerance * b.l2_norm());
+    dealii::SolverFGMRES<BlockVector> krylov(
+        control, dealii::SolverFGMRES<BlockVector>::AdditionalData(most_vectors));
+    LinearReport report{true, ""};
+    try {
+      krylov.solve(*op, x, b, BlockTriangular(*op, inverses));
+    } catch (const dealii::SolverControl::NoConvergence&) {
+      report.solved = false;
+      report.reason = "the block solver did not converge in " +
+                      std::to_string(settings.max_iterations) + " iterations";
+    }
+    last_iterations = report.iterations = control.last_step();
+    if (first_iterations == 0)
+      first_iterations = last_iterations;
+    for (unsigned int k = 0; k < op->n; ++k)
+      vector.block(k).copy_locally_owned_data_from(x.block(k));
+    return report;
+  }
+
+private:
+  static constexpr unsigned int most_vectors = 60; ///< before a restart
+
+  /// The preconditioner serves while it takes hardly more iterations than when it was new.
+  bool worth_keeping() const
+  {
+    return !inverses.empty() && first_iterations > 0 &&
+           last_iterations <= first_iterations + first_iterations / 5 + 2;
+  }
+
+  void build(const Tangent& tangent)
+  {
+    tangent.surrogates->update();
+    inverses = std::vector<std::optional<Multigrid>>(op->n);
+    for (unsigned int b = 0; b < op->n; ++b)
+      if (tangent.solved[b]) {
+        const SparseMatrix* stand_in = tangent.surrogates->matrix(b);
+        inverses[b].emplace().setup(stand_in ? *stand_in : tangent.matrix.block(b, b),
+                                    b == 0 ? tangent.surrogates->components(b) : 1,
+                                    b == 0 ? tangent.surrogates->rigid_motions()
+                                           : std::vector<std::vector<double>>());
+      }
+    first_iterations = 0;
+  }
+
+  LinearSettings settings;
+  std::optional<MixedOperator> op;
+  std::vector<std::optional<Multigrid>> inverses; ///< empty for identities
+  unsigned int first_iterations = 0, last_iterations = 0;
+};
+
+} // namespace
+
+std::unique_ptr<LinearSolver> make_block_solver()
+{
+  return std::make_unique<BlockSolver>();
+}
+
+} // namespace thelma

@@ -1,0 +1,65 @@
+#include <thelma/base/error.h>
+#include <thelma/base/parameters.h>
+#include <thelma/solvers/linear_solver.h>
+
+namespace thelma
+{
+
+/// The linear solvers a .prm can choose.
+const NamedList<LinearSolver>& linear_solvers()
+{
+  static const NamedList<LinearSolver> list(
+      "section Linear solver, entry 'Solver': unknown solver",
+      {{"direct", make_direct_solver}, {"block", make_block_solver}});
+  return list;
+}
+
+void LinearSettings::declare(dealii::ParameterHandler& prm)
+{
+  using namespace dealii::Patterns;
+  std::string names = "automatic";
+  for (const std::string& name : linear_solvers().names())
+    names += "|" + name;
+  const Section section(prm, {"Linear solver"});
+  prm.add_parameter("Solver", solver,
+                    "`direct`: factorise the tangent (MUMPS), which also counts unstable "
+                    "directions; `block`: FGMRES with the pressures of the cells as unknowns and "
+                    "multigrid, for large bodies; `automatic`: by size and dimension.",
+                    Selection(names));
+  prm.add_parameter("Tolerance", tolerance,
+                    "Size of the linear residual, relative to the right-hand side, at which the "
+                    "block solver stops; dimensionless.",
+                    Double(1e-14, 0.5));
+  prm.add_parameter("Iterations", max_iterations,
+                    "After so many iterations of the block solver a linear solve counts as failed.",
+                    Integer(1, 10000));
+}
+
+LinearChoice choose_linear_solver(const LinearSettings& settings, const LinearProblemSize& size)
+{
+  constexpr unsigned long long direct_limit = 100000; // doc/scaling.md, "Cross-over"
+  const std::string count = std::to_string(size.unknowns) + " unknowns";
+  const bool block_works = size.pressures_can_be_kept;
+  if (settings.solver == "block" && !block_works)
+    throw InputError(
+        "section Linear solver, entry 'Solver': 'block' needs element pressures and no "
+        "temperature solved for with them; set Discretisation/Formulation = mean "
+        "dilatation and a uniform or staggered temperature, or Solver = direct");
+  if (settings.solver == "block" && size.needs_inertia)
+    throw InputError("section Linear solver, entry 'Solver': 'block' does not count unstable "
+                     "directions, which Stepping/Continuation = automatic follows; choose direct, "
+                     "or Continuation = load");
+  if (settings.solver != "automatic")
+    return {settings.solver, "Linear solver/Solver says so"};
+  if (size.dimension == 2)
+    return {"direct", "in two dimensions factors stay small"};
+  if (size.unknowns <= direct_limit)
+    return {"direct", count + " are at most " + std::to_string(direct_limit)};
+  if (!block_works)
+    return {"direct", "block needs element pressures and no temperature solved for with them"};
+  if (size.needs_inertia)
+    return {"direct", "a path is followed by its count of unstable directions"};
+  return {"block", count + " in three dimensions are more than " + std::to_string(direct_limit)};
+}
+
+} // namespace thelma

@@ -1,0 +1,102 @@
+// The block solver keeps the pressures as unknowns; what it finds is what the factorised condensed
+// tangent gives.
+
+#include "scene.h"
+
+#include <thelma/solvers/mumps.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+using namespace thelma;
+using namespace thelma_test;
+
+std::string with_solver(const std::string& scene, const std::string& solver)
+{
+  return scene + "subsection Linear solver\n set Solver = " + solver +
+         "\n set Tolerance = 1e-10\nend\n";
+}
+
+/// The correction that raises the voltage of a bent body in equilibrium.
+template <int dim>
+BlockVector correction(const std::string& text)
+{
+  TestScene<dim> scene(text);
+  const auto prescribe = [&](const double voltage) {
+    scene.conditions.apply(voltage, 293., 1., scene.state.x);
+    scene.state.x.update_ghost_values();
+  };
+  for (const double voltage : {1., 3.}) {
+    prescribe(voltage);
+    const NewtonReport found = Newton().solve(scene.system);
+    EXPECT_TRUE(found.converged) << found.reason;
+  }
+  prescribe(4.);
+  scene.system.residual();
+  BlockVector before = scene.state.x;
+  const LinearReport report = scene.system.linear_solve(false);
+  EXPECT_TRUE(report.solved) << report.reason;
+  scene.system.move_to(1.);
+  BlockVector change = scene.state.x;
+  change -= before;
+  change.zero_out_ghost_values();
+  return change;
+}
+
+void expect_equal_corrections(const std::string& scene)
+{
+  const BlockVector direct = correction<3>(with_solver(scene, "direct")),
+                    block = correction<3>(with_solver(scene, "block"));
+  for (unsigned int b = 0; b < direct.n_blocks(); ++b) {
+    auto difference = block.block(b);
+    difference -= direct.block(b);
+    EXPECT_LT(difference.l2_norm(), 1e-7 * direct.block(b).l2_norm()) << "block " << b;
+  }
+}
+
+TEST(BlockSolver, CorrectsLikeTheDirectSolver)
+{
+  expect_equal_corrections(bilayer("uniform", "mean dilatation", 1));
+  expect_equal_corrections(bilayer("uniform", "mean dilatation", 2));
+  expect_equal_corrections(bilayer("uniform", "selective reduced", 1));
+}
+
+TEST(BlockSolver, RefusesTemperaturesAmongTheUnknowns)
+{
+  EXPECT_THROW(TestScene<3>(with_solver(bilayer("steady", "mean dilatation", 2), "block")),
+               InputError);
+}
+
+TEST(BlockSolver, SaysThatItDidNotConverge)
+{
+  TestScene<3> scene(bilayer("uniform", "mean dilatation", 2) +
+                     "subsection Linear solver\n set Solver = block\n set Iterations = 3\nend\n");
+  scene.conditions.apply(2., 293., 1., scene.state.x);
+  scene.state.x.update_ghost_values();
+  scene.system.residual();
+  const LinearReport report = scene.system.linear_solve(false);
+  EXPECT_FALSE(report.solved);
+  EXPECT_NE(report.reason.find("3 iterations"), std::string::npos) << report.reason;
+  EXPECT_FALSE(scene.system.knows_stability());
+}
+
+TEST(LinearChoice, GoesBySizeDimensionAndWhatTheRunNeeds)
+{
+  const LinearSettings automatic;
+  EXPECT_EQ(choose_linear_solver(automatic, {3, 1000000, true, false}).solver, "block");
+  EXPECT_EQ(choose_linear_solver(automatic, {3, 10000, true, false}).solver, "direct");
+  EXPECT_EQ(choose_linear_solver(automatic, {2, 1000000, true, false}).solver, "direct");
+  EXPECT_EQ(choose_linear_solver(automatic, {3, 1000000, false, false}).solver, "direct");
+  EXPECT_EQ(choose_linear_solver(automatic, {3, 1000000, true, true}).solver, "direct");
+  LinearSettings block;
+  block.solver = "block";
+  EXPECT_EQ(choose_linear_solver(block, {3, 10, true, false}).solver, "block");
+  EXPECT_THROW(choose_linear_solver(block, {3, 10, false, false}), InputError);
+  EXPECT_THROW(choose_linear_solver(block, {3, 10, true, true}), InputError);
+}
+
+} // namespace
