@@ -3,6 +3,7 @@
     hard_cases.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
 """
 
+import inspect
 import math
 import tempfile
 import time
@@ -42,7 +43,8 @@ def exact_rotation(e, length):
 def require_within(what, value, reference, tolerance):
     """Within the relative tolerance."""
     print(f"  {what}: {value:.6g}, reference {reference:.6g}")
-    validated("hard cases", what, "doc/hard_cases.md", value / reference - 1)
+    case = inspect.stack()[1].function
+    validated(f"hard/{case}", what, "doc/hard_cases.md", value / reference - 1)
     require(abs(value / reference - 1) <= tolerance, f"{what}: {value}, not {reference}")
 
 

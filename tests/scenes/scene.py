@@ -39,8 +39,8 @@ class Program:
 
 
 def validated(scene, quantity, reference, error):
-    """A row of doc/validation.md: what was compared with which reference, and by how much it is off
-    (a relative error unless the quantity names a unit)."""
+    """A row of doc/validation.md: what was compared with which reference, and by how much it is
+    off: relative, but stretches and e along a path absolute and temperatures in K."""
     print(f"VALIDATED | {scene} | {quantity} | {reference} | {abs(error):.1e}")
 
 
