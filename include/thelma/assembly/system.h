@@ -93,8 +93,8 @@ public:
   bool is_symmetric() const { return !layout.has(Field::temperature) || solved != Solved::all; }
 
   /// Whether it is known in how many directions a state is unstable: not for an unsymmetric tangent
-  /// or one that is not factorised.
-  bool knows_stability() const { return solver->has_inertia(); }
+  /// or one that is not factorised, nor before the solver is chosen.
+  bool knows_stability() const { return solver && solver->has_inertia(); }
 
   /// By these negative pivots beyond those of a stable state's tangent.
   long long unstable_directions(long long negative_pivots) const;
