@@ -130,8 +130,7 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::solve(const Plane& pla
   BorderedSystem bordered(system, plane);
   PathState found;
   found.report = newton.solve(bordered);
-  n_iterations += found.report.iterations;
-  n_factorisations += found.report.factorisations;
+  spent.add(found.report);
   if (!found.report.converged)
     return {};
   examine(plane, found);
@@ -156,8 +155,7 @@ void PathFollowing<dim>::examine(const Plane& plane, PathState& found)
   found.report.residuals.push_back(residual.norm);
   found.report.min_det_F = residual.min_det_F;
   ++found.report.iterations;
-  ++n_iterations;
-  ++n_factorisations;
+  spent.add({1, 1, 0});
   found.load = system.load();
   if (system.knows_stability())
     found.unstable_directions = system.unstable_directions(found.report.negative_pivots);

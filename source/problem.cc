@@ -146,8 +146,7 @@ Outcome Problem<dim>::run()
     apply_loads();
   if (outcome.code == ExitCode::success && layout.is_transient())
     evolve();
-  outcome.newton_iterations += path_following.iterations();
-  outcome.factorisations += path_following.factorisations();
+  outcome.effort.add(path_following.effort());
   outcome.failed_steps += path_following.failures();
   results.finish(scene(), outcome);
   return outcome;
@@ -206,9 +205,7 @@ bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
       report.converged = false;
       report.reason = "the state found is not the continuation of the path";
     }
-    outcome.newton_iterations += report.iterations;
-    outcome.factorisations += report.factorisations;
-    outcome.linear_iterations += report.linear_iterations;
+    outcome.effort.add(report);
     if (!report.converged) {
       ++outcome.failed_steps;
       last_failure = report.reason;

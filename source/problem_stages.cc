@@ -103,8 +103,7 @@ void Problem<dim>::leave_rest(const std::function<void(double)>& prescribe)
   const double load = small * stepper.step();
   prescribe(load);
   const NewtonReport report = newton.solve(system, true);
-  outcome.newton_iterations += report.iterations;
-  outcome.factorisations += report.factorisations;
+  outcome.effort.add(report);
   if (report.converged)
     state.accept(load);
   else

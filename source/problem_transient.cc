@@ -22,8 +22,7 @@ void Problem<dim>::evolve()
   transient.start();
   while (!transient.finished()) {
     const NewtonReport report = transient.step(predictor, newton, [&]() { return solve(); });
-    outcome.newton_iterations += report.iterations;
-    outcome.factorisations += report.factorisations;
+    outcome.effort.add(report);
     if (report.converged) {
       const double surprise = predictor.surprise();
       if (transient.accept()) {

@@ -117,8 +117,7 @@ NewtonReport Transient<dim>::step(Predictor<dim>& predictor, const Newton& newto
                   [&](const double t) { return voltage_at(t) == state.voltage; }))
     predictor.follow_temperature();
   NewtonReport deformed = solve_deformation();
-  deformed.iterations += report.iterations;
-  deformed.factorisations += report.factorisations;
+  deformed.add(report);
   return deformed;
 }
 

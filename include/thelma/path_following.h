@@ -61,8 +61,7 @@ public:
   /// From the last accepted state until load 1 or another end.
   End follow(const Task& task);
 
-  unsigned int iterations() const { return n_iterations; }
-  unsigned int factorisations() const { return n_factorisations; }
+  const NewtonEffort& effort() const { return spent; }
   unsigned int failures() const { return n_failures; }
 
 private:
@@ -117,7 +116,8 @@ private:
   PathMetric metric;
   bool on_branch = false;
   BlockVector mode;
-  unsigned int n_iterations = 0, n_factorisations = 0, n_failures = 0;
+  NewtonEffort spent;
+  unsigned int n_failures = 0;
 };
 
 } // namespace thelma

@@ -2,10 +2,10 @@
 #include <thelma/base/complaints.h>
 #include <thelma/base/parameters.h>
 #include <thelma/base/quantity.h>
+#include <thelma/fields/outer_faces.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
 
 #include <sstream>
 
@@ -68,31 +68,21 @@ template <int dim>
 void DeadLoads<dim>::add(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
                          const std::string& surface, const dealii::Tensor<1, dim>& force)
 {
-  dealii::FEFaceValues<dim> values(layout.mapping(), layout.scalar_element(),
-                                   dealii::QGauss<dim - 1>(layout.degree() + 1),
-                                   dealii::update_values | dealii::update_JxW_values);
   BlockVector shares = layout.new_vector();
-  std::vector<dealii::types::global_dof_index> indices;
   double area = 0.;
-  for (const auto& [entity, vertices] : mesh.surface(surface, place))
-    for (unsigned int f = 0; f < dealii::GeometryInfo<dim>::faces_per_cell; ++f) {
-      if (face_vertices<dim>(f) != vertices || !entity->face(f)->at_boundary() ||
-          !entity->is_locally_owned())
-        continue;
-      const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
-          &mesh.triangulation(), entity->level(), entity->index(), &layout.dof_handler());
-      layout.unknowns(cell, indices);
-      values.reinit(entity, f);
-      for (unsigned int q = 0; q < values.n_quadrature_points; ++q) {
-        area += values.JxW(q);
-        for (unsigned int a = 0; a < values.dofs_per_cell; ++a)
-          for (unsigned int d = 0; d < dim; ++d)
-            shares(indices[*layout.local_dof(cell->active_fe_index(), a, d)]) +=
-                force[d] * values.JxW(q) * values.shape_value(a, q);
-      }
-    }
+  const bool outer = for_each_outer_face(
+      mesh, layout, surface, place, dealii::QGauss<dim - 1>(layout.degree() + 1),
+      [&](const OuterFace<dim>& face) {
+        for (unsigned int q = 0; q < face.values.n_quadrature_points; ++q) {
+          area += face.values.JxW(q);
+          for (unsigned int a = 0; a < face.values.dofs_per_cell; ++a)
+            for (unsigned int d = 0; d < dim; ++d)
+              shares(face.unknown(a, d)) +=
+                  force[d] * face.values.JxW(q) * face.values.shape_value(a, q);
+        }
+      });
   area = dealii::Utilities::MPI::sum(area, layout.communicator());
-  if (!(area > 0.))
+  if (!outer)
     throw InputError(place + ": '" + surface +
                      "' is no outer surface of the body; forces can act only on these");
   shares.compress(dealii::VectorOperation::add);

@@ -2,6 +2,7 @@
 #include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
 #include <thelma/base/quantity.h>
+#include <thelma/fields/outer_faces.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -117,34 +118,21 @@ void NodalHeat<dim>::collect_surface(const Mesh<dim>& mesh, const FieldLayout<di
                                      const std::string& name, const Surface& surface)
 {
   const unsigned int component = layout.first_component(Field::temperature);
-  dealii::FEFaceValues<dim> values(layout.mapping(), layout.scalar_element(),
-                                   dealii::QGaussLobatto<dim - 1>(layout.degree() + 1),
-                                   dealii::update_values | dealii::update_JxW_values);
-  std::vector<dealii::types::global_dof_index> indices;
-  bool outer = false;
-  for (const auto& [entity, vertices] : mesh.surface(name, "section Heat"))
-    for (unsigned int f = 0; f < dealii::GeometryInfo<dim>::faces_per_cell; ++f) {
-      if (face_vertices<dim>(f) != vertices || !entity->face(f)->at_boundary())
-        continue;
-      outer = true;
-      if (!entity->is_locally_owned())
-        continue;
-      const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
-          &mesh.triangulation(), entity->level(), entity->index(), &layout.dof_handler());
-      layout.unknowns(cell, indices);
-      values.reinit(entity, f);
-      for (unsigned int a = 0; a < values.dofs_per_cell; ++a) {
-        double area = 0.;
-        for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
-          area += values.JxW(q) * values.shape_value(a, q);
-        const auto unknown = indices[*layout.local_dof(cell->active_fe_index(), a, component)];
-        if (std::abs(area) > 0.) {
-          powers(unknown) += area * surface.flux;
-          conductances(unknown) += area * surface.convection;
-          ambient(unknown) += area * surface.convection * surface.ambient;
+  const bool outer = for_each_outer_face(
+      mesh, layout, name, "section Heat", dealii::QGaussLobatto<dim - 1>(layout.degree() + 1),
+      [&](const OuterFace<dim>& face) {
+        for (unsigned int a = 0; a < face.values.dofs_per_cell; ++a) {
+          double area = 0.;
+          for (unsigned int q = 0; q < face.values.n_quadrature_points; ++q)
+            area += face.values.JxW(q) * face.values.shape_value(a, q);
+          const auto unknown = face.unknown(a, component);
+          if (std::abs(area) > 0.) {
+            powers(unknown) += area * surface.flux;
+            conductances(unknown) += area * surface.convection;
+            ambient(unknown) += area * surface.convection * surface.ambient;
+          }
         }
-      }
-    }
+      });
   if (!outer)
     throw InputError("section Heat: '" + name +
                      "' is no outer surface of the body; heat can flow only through these");

@@ -16,7 +16,7 @@ std::string Outcome::summary() const
   std::ostringstream text;
   text << (reason.empty() ? name : reason);
   if (is_lasting())
-    text << "; " << steps << " steps, " << newton_iterations << " Newton iterations, "
+    text << "; " << steps << " steps, " << effort.iterations << " Newton iterations, "
          << std::setprecision(3) << seconds << " s";
   return text.str();
 }

@@ -27,9 +27,9 @@ void write_run_report(const Outcome& outcome, const std::string& scene, const st
                          {"e_estimated", outcome.pull_in->e_estimated}};
   report["steps"] = outcome.steps;
   report["failed_steps"] = outcome.failed_steps;
-  report["newton_iterations"] = outcome.newton_iterations;
-  report["factorisations"] = outcome.factorisations;
-  report["linear_iterations"] = outcome.linear_iterations;
+  report["newton_iterations"] = outcome.effort.iterations;
+  report["factorisations"] = outcome.effort.factorisations;
+  report["linear_iterations"] = outcome.effort.linear_iterations;
   report["seconds"] = outcome.seconds;
   report["seconds_per_phase"] = outcome.seconds_per_phase;
   report["cells"] = outcome.cells;
@@ -65,7 +65,7 @@ std::optional<Outcome> read_run_report(const std::string& file)
     outcome.pull_in = {number(pull_in.at("e_below")), number(pull_in.at("e_above")),
                        number(pull_in.at("e_estimated"))};
   outcome.steps = report.at("steps");
-  outcome.newton_iterations = report.at("newton_iterations");
+  outcome.effort.iterations = report.at("newton_iterations");
   outcome.seconds = report.at("seconds");
   for (const auto& [name, value] : report.at("final_values").items())
     outcome.final_values.emplace_back(name, number(value));

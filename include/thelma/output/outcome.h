@@ -2,6 +2,7 @@
 
 #include <thelma/base/error.h>
 #include <thelma/output/curve.h>
+#include <thelma/solvers/newton.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -26,8 +27,8 @@ struct Outcome {
   std::string reason;                  ///< a sentence
   std::optional<Bracket> pull_in;
 
-  unsigned int steps = 0, failed_steps = 0, newton_iterations = 0, factorisations = 0, ranks = 1;
-  unsigned int linear_iterations = 0; ///< of a Krylov method
+  unsigned int steps = 0, failed_steps = 0, ranks = 1;
+  NewtonEffort effort;
   double seconds = 0.;
   std::map<std::string, double> seconds_per_phase;
   std::map<std::string, unsigned long long> unknowns;

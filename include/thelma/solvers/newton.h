@@ -34,13 +34,24 @@ public:
   virtual void move_to(double step) = 0;
 };
 
-/// Outcome of one nonlinear solve; a failure is a value.
-struct NewtonReport {
-  bool converged = false;
-  std::string reason;                 ///< why not
+/// What nonlinear solves cost.
+struct NewtonEffort {
   unsigned int iterations = 0;        ///< corrections
   unsigned int factorisations = 0;    ///< tangents among them
   unsigned int linear_iterations = 0; ///< of a Krylov method, in all corrections
+
+  void add(const NewtonEffort& other)
+  {
+    iterations += other.iterations;
+    factorisations += other.factorisations;
+    linear_iterations += other.linear_iterations;
+  }
+};
+
+/// Outcome of one nonlinear solve; a failure is a value.
+struct NewtonReport : NewtonEffort {
+  bool converged = false;
+  std::string reason; ///< why not
   std::vector<double> residuals;
   double min_det_F = 0.;
   long long negative_pivots = 0; ///< of the last tangent
