@@ -17,6 +17,24 @@ namespace
 
 using BlockMatrix = dealii::TrilinosWrappers::BlockSparseMatrix;
 
+/// A stored row of a block, by Trilinos' local numbers.
+struct Row {
+  Row(const Epetra_CrsMatrix& block, const dealii::types::global_dof_index row)
+  {
+    block.ExtractMyRowView(block.LRID(static_cast<int>(row)), n, values, columns);
+  }
+
+  /// Epetra sorts the columns of a matrix that is complete.
+  double* entry(const int column) const
+  {
+    return values + (std::lower_bound(columns, columns + n, column) - columns);
+  }
+
+  int n = 0;
+  double* values = nullptr;
+  int* columns = nullptr;
+};
+
 /// Where the entries of a cell stand in the matrix; Trilinos' own numbers are looked up once a
 /// cell.
 class CellColumns
@@ -37,22 +55,11 @@ public:
   void find(const std::size_t i, const std::vector<unsigned int>& coupled, double* const* starts,
             int* places) const
   {
-    struct Row {
-      int n = 0;
-      double* values = nullptr;
-      int* columns = nullptr;
-    };
-    std::vector<Row> rows(ids.size());
-    for (unsigned int b = 0; b < rows.size(); ++b) {
-      const Epetra_CrsMatrix& part = matrix.block(block[i], b).trilinos_matrix();
-      part.ExtractMyRowView(part.LRID(indices[i]), rows[b].n, rows[b].values, rows[b].columns);
-    }
-    for (const unsigned int j : coupled) {
-      const Row& row = rows[block[j]];
-      // Epetra sorts the columns of a matrix that is complete.
-      const int* found = std::lower_bound(row.columns, row.columns + row.n, ids[block[i]][j]);
-      places[j] = static_cast<int>(row.values + (found - row.columns) - starts[block[j]]);
-    }
+    std::vector<Row> rows;
+    for (unsigned int b = 0; b < ids.size(); ++b)
+      rows.emplace_back(matrix.block(block[i], b).trilinos_matrix(), indices[i]);
+    for (const unsigned int j : coupled)
+      places[j] = static_cast<int>(rows[block[j]].entry(ids[block[i]][j]) - starts[block[j]]);
   }
 
 private:
@@ -137,13 +144,7 @@ double* TangentMatrix<dim>::entry(const dealii::types::global_dof_index row,
   const auto [i, r] = start.global_to_local(row);
   const auto [j, c] = start.global_to_local(column);
   const Epetra_CrsMatrix& block = tangent.block(i, j).trilinos_matrix();
-  int n = 0;
-  double* values = nullptr;
-  int* columns = nullptr;
-  block.ExtractMyRowView(block.LRID(static_cast<int>(r)), n, values, columns);
-  // Epetra sorts the columns of a matrix that is complete.
-  return values +
-         (std::lower_bound(columns, columns + n, block.LCID(static_cast<int>(c))) - columns);
+  return Row(block, r).entry(block.LCID(static_cast<int>(c)));
 }
 
 template <int dim>
