@@ -26,6 +26,7 @@ class Program:
     """How to start thelma."""
 
     binary: Path
+    patience: int = PATIENCE  # seconds
 
     def command(self, arguments, ranks):
         """The command line for so many ranks."""
@@ -41,15 +42,20 @@ class Program:
 
     def start(self, arguments, ranks=1):
         """(exit code, printed text, peak memory in MB of the largest process)."""
+        code, text, usage = self.used(arguments, ranks)
+        return code, text, usage.ru_maxrss / 1024
+
+    def used(self, arguments, ranks=1):
+        """(exit code, printed text, what all its processes used, as os.wait4 says it)."""
         environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
         with tempfile.TemporaryFile("w+") as text:
             process = subprocess.Popen(
-                ["timeout", "--foreground", str(PATIENCE), *self.command(arguments, ranks)],
+                ["timeout", "--foreground", str(self.patience), *self.command(arguments, ranks)],
                 cwd=ROOT, env=environment, stdout=text, stderr=subprocess.STDOUT)
             _, status, usage = os.wait4(process.pid, 0)
             process.returncode = os.waitstatus_to_exitcode(status)
             text.seek(0)
-            return process.returncode, text.read(), usage.ru_maxrss / 1024
+            return process.returncode, text.read(), usage
 
     def listed_formulations(self):
         """What --list offers."""
