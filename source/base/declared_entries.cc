@@ -1,7 +1,8 @@
 #include <thelma/base/declared_entries.h>
 
-#include <boost/property_tree/json_parser.hpp>
+#include <boost/property_tree/xml_parser.hpp>
 
+#include <cctype>
 #include <sstream>
 
 namespace thelma
@@ -14,6 +15,28 @@ using Tree = boost::property_tree::ptree;
 bool is_entry(const Tree& node)
 {
   return node.find("value") != node.not_found() && node.find("pattern") != node.not_found();
+}
+
+/// deal.II writes what is neither letter nor digit as _ and two hexadecimal digits.
+std::string unmangled(const std::string& name)
+{
+  std::string result;
+  for (std::size_t i = 0; i < name.size(); ++i)
+    if (name[i] == '_' && i + 2 < name.size()) {
+      result += static_cast<char>(std::stoi(name.substr(i + 1, 2), nullptr, 16));
+      i += 2;
+    } else
+      result += name[i];
+  return result;
+}
+
+/// @p section with the names that the parameter files use.
+Tree named(const Tree& section)
+{
+  Tree result;
+  for (const auto& [name, child] : section)
+    result.push_back({unmangled(name), is_entry(child) ? child : named(child)});
+  return result;
 }
 
 std::vector<std::string> names(const Tree* section, const bool of_entries)
@@ -41,9 +64,12 @@ void find(const Tree& section, const std::string& entry, const std::string& path
 
 DeclaredEntries::DeclaredEntries(const dealii::ParameterHandler& prm)
 {
-  std::stringstream json;
-  prm.print_parameters(json, dealii::ParameterHandler::JSON);
-  boost::property_tree::read_json(json, tree);
+  // Not as JSON, in which deal.II takes a dot in a name for a separator.
+  std::stringstream xml;
+  prm.print_parameters(xml, dealii::ParameterHandler::XML);
+  Tree all;
+  boost::property_tree::read_xml(xml, all);
+  tree = named(all.get_child("ParameterHandler"));
 }
 
 const DeclaredEntries::Tree* DeclaredEntries::at(const std::vector<std::string>& path) const

@@ -171,6 +171,20 @@ TEST(Input, AllProblemsAreSaidAtOnceWithTheirLines)
   EXPECT_TRUE(contains(found[6], ":14: cannot read 'hello'"));
 }
 
+// deal.II's own listings take a dot in a name for a separator.
+TEST(Input, NamesMayHaveDots)
+{
+  for (const std::string name : {"VHB 4910", "Elastosil 2030.1", "dotted."}) {
+    const std::vector<std::string> found = complaints(
+        "subsection Regions\n set Materials = film: " + name +
+        "\nend\nsubsection Materials\n subsection " + name + "\n  set Gent limt = 80\n end\nend\n");
+    ASSERT_EQ(found.size(), 1u) << name;
+    EXPECT_TRUE(contains(found[0], "parameters:6, section Materials/" + name +
+                                       ": unknown entry 'Gent limt'; known: Bulk modulus"))
+        << found[0];
+  }
+}
+
 TEST(Input, EverySceneIsRead)
 {
   for (const std::string& text : scenes())
