@@ -104,9 +104,9 @@ double Quantity::value(const std::string& written) const
   const std::string typical = smallest > 0. && smallest < 1. ? "0.5" : "20";
   const std::string example = typical + (unit == "1" ? "" : " or " + typical + " " + unit);
   const NumberWithUnit given(text, example);
-  const Unit wanted = *Unit::parse(unit);
   double number = given.number;
   if (!given.unit.empty()) {
+    const Unit wanted = *Unit::parse(unit);
     const std::optional<Unit> found = Unit::parse(given.unit);
     if (!found)
       throw InputError("'" + given.unit + "' in '" + text + "' is no unit; write it as " + example);
@@ -129,7 +129,7 @@ double Quantity::value(const std::string& written) const
 std::unique_ptr<Quantity> Quantity::within(const std::string& description)
 {
   std::smatch parts;
-  const std::regex form("\\[Quantity ([^;]*);([^;]*);([^;]*);([01])\\]");
+  static const std::regex form("\\[Quantity ([^;]*);([^;]*);([^;]*);([01])\\]");
   if (!std::regex_search(description, parts, form))
     return nullptr;
   auto quantity = std::make_unique<Quantity>(parts[1], std::strtod(parts[2].str().c_str(), nullptr),

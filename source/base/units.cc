@@ -122,11 +122,15 @@ private:
 /// Without blanks that mean nothing; "µ" and "°" as ASCII.
 std::string simplified(std::string text)
 {
-  for (const auto& [from, to] :
-       {std::make_pair("\u00b5", "u"), {"\u03bc", "u"}, {"\u00b0", "deg"}, {"\u00b7", " "}})
-    text = std::regex_replace(text, std::regex(from), to);
-  text = std::regex_replace(text, std::regex("\\s+"), " ");
-  return dealii::Utilities::trim(std::regex_replace(text, std::regex(" ?([*/^()]) ?"), "$1"));
+  // Compiled once: a scene has a hundred entries with units.
+  static const std::vector<std::pair<std::regex, std::string>> replacements{
+      {std::regex("\u00b5|\u03bc"), "u"},
+      {std::regex("\u00b0"), "deg"},
+      {std::regex("(?:\\s|\u00b7)+"), " "},
+      {std::regex(" ?([*/^()]) ?"), "$1"}};
+  for (const auto& [form, replacement] : replacements)
+    text = std::regex_replace(text, form, replacement);
+  return dealii::Utilities::trim(text);
 }
 
 } // namespace
@@ -177,7 +181,8 @@ std::string name_of_dimension(const Dimension& dimension)
 NumberWithUnit::NumberWithUnit(const std::string& text, const std::string& example)
 {
   std::smatch parts;
-  const std::regex form("^\\s*([-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?)\\s*(\\D.*)?$");
+  static const std::regex form(
+      "^\\s*([-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?)\\s*(\\D.*)?$");
   // std::regex descends once per character.
   const bool reads = text.size() < 200 && std::regex_match(text, parts, form);
   number = reads ? std::strtod(parts[1].str().c_str(), nullptr) : NAN;
