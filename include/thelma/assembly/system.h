@@ -55,7 +55,8 @@ public:
   const Displacement& response() const override { return nodal_response.block(0); }
 
   /// The eigenvalue of smallest size of the tangent last factorised with all fields but the
-  /// displacement eliminated, and its eigenvector of length 1 in @p mode (theory.md, eq. 45).
+  /// displacement eliminated, and its eigenvector of length 1 in @p mode (theory.md, eq. 45); not a
+  /// number where it is not found.
   double critical_mode(BlockVector& mode);
 
   /// Assemble the tangent at the iterate.
