@@ -2,6 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/parpack_solver.h>
+#include <deal.II/lac/read_write_vector.h>
 
 #include <algorithm>
 
