@@ -19,7 +19,7 @@ struct CellRows {
   std::vector<int> offsets;        ///< [i * n + j], or absent
 };
 
-/// The same in a tenth of the memory: unknowns that stand next to each other in all rows are one
+/// The same in a sixth of the memory: unknowns that stand next to each other in all rows are one
 /// run, and rows with the same offsets (those of one node and field) keep them together.
 struct CellPlaces {
   /// Throws where a row is too long for the offsets.
