@@ -4,22 +4,50 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+
 namespace thelma
 {
+namespace
+{
+
+/// Longest over shortest edge of a cell, on average.
+template <int dim>
+double flatness(const FieldLayout<dim>& layout)
+{
+  double sum = 0.;
+  for (const Cell<dim>& cell : layout.cells()) {
+    double shortest = cell.iterator->extent_in_direction(0), longest = shortest;
+    for (int d = 1; d < dim; ++d) {
+      const double edge = cell.iterator->extent_in_direction(d);
+      shortest = std::min(shortest, edge);
+      longest = std::max(longest, edge);
+    }
+    sum += longest / shortest;
+  }
+  const double n_cells = layout.cells().size();
+  return dealii::Utilities::MPI::sum(sum, layout.communicator()) /
+         dealii::Utilities::MPI::sum(n_cells, layout.communicator());
+}
+
+} // namespace
 
 template <int dim>
 void System<dim>::choose_solver()
 {
-  unsigned long long unknowns = 0;
+  LinearProblem problem;
+  problem.dimension = dim;
   for (const Field field : layout.fields())
-    unknowns += layout.n_dofs(field);
-  choice = choose_linear_solver(
-      linear_settings,
-      {dim, unknowns, formulation->n_kept_pressures() > 0 && is_symmetric(), needs_inertia});
+    problem.unknowns += layout.n_dofs(field);
+  problem.flatness = flatness(layout);
+  problem.is_symmetric = is_symmetric();
+  problem.pressures_can_be_kept = formulation->n_kept_pressures() > 0 && is_symmetric();
+  problem.needs_inertia = needs_inertia;
+  choice = choose_linear_solver(linear_settings, problem);
   if (solved == Solved::temperature)
     choice = {"direct", "the temperature alone is small"};
   solver = linear_solvers().create(choice.solver);
-  solver->setup(layout.communicator(), is_symmetric(), linear_settings);
+  solver->setup(layout.communicator(), problem, linear_settings);
 }
 
 template <int dim>

@@ -100,6 +100,9 @@ public:
   /// By these negative pivots beyond those of a stable state's tangent.
   long long unstable_directions(long long negative_pivots) const;
 
+  /// Whether linear solves take iterations.
+  bool iterates() const { return solver && solver->iterates(); }
+
   /// Which linear solver serves, and why.
   std::string solver_description() const;
 
