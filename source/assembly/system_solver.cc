@@ -4,6 +4,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <Epetra_CrsMatrix.h>
+
 #include <algorithm>
 
 namespace thelma
@@ -84,6 +86,20 @@ LinearReport System<dim>::prepare_solver()
 }
 
 template <int dim>
+std::map<std::string, double> System<dim>::imbalance() const
+{
+  double nonzeros = 0.;
+  for (unsigned int i = 0; i < matrix.matrix().n_block_rows(); ++i)
+    for (unsigned int j = 0; j < matrix.matrix().n_block_cols(); ++j)
+      nonzeros += matrix.matrix().block(i, j).trilinos_matrix().NumMyNonzeros();
+  const auto ratio = [&](const double own) {
+    const auto share = dealii::Utilities::MPI::min_max_avg(own, layout.communicator());
+    return share.max / share.avg;
+  };
+  return {{"cells", ratio(layout.cells().size())}, {"nonzeros", ratio(nonzeros)}};
+}
+
+template <int dim>
 std::string System<dim>::solver_description() const
 {
   return "linear solver: " + choice.solver + ", because " + choice.reason +
@@ -96,6 +112,8 @@ template void System<2>::keep_pressures();
 template void System<3>::keep_pressures();
 template LinearReport System<2>::prepare_solver();
 template LinearReport System<3>::prepare_solver();
+template std::map<std::string, double> System<2>::imbalance() const;
+template std::map<std::string, double> System<3>::imbalance() const;
 template std::string System<2>::solver_description() const;
 template std::string System<3>::solver_description() const;
 

@@ -153,7 +153,7 @@ public:
              const LinearSettings& chosen) override
   {
     settings = chosen;
-    if (problem.flatness > most_flat)
+    if (problem.flatness > LinearProblem::flat)
       factors = std::make_unique<Mumps>(comm, true);
   }
 
@@ -209,8 +209,6 @@ public:
 
 private:
   static constexpr unsigned int most_vectors = 80; ///< before a restart
-  /// Multigrid fails for cells flatter than this, and factors of flat bodies are small.
-  static constexpr double most_flat = 5.;
 
   static Inverse cycle(const unsigned int block, const SparseMatrix& matrix,
                        const Surrogates& surrogates)

@@ -55,6 +55,8 @@ LinearChoice choose_linear_solver(const LinearSettings& settings, const LinearPr
     return {"direct", "in two dimensions factors stay small"};
   if (problem.unknowns <= direct_limit)
     return {"direct", count + " are at most " + std::to_string(direct_limit)};
+  if (problem.flatness > LinearProblem::flat)
+    return {"direct", "a body of flat cells has small factors"};
   if (!block_works)
     return {"direct", "block needs element pressures and no temperature solved for with them"};
   if (problem.needs_inertia)

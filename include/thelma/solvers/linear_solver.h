@@ -85,6 +85,10 @@ struct LinearSettings {
 
 /// What decides between the solvers and what they make ready for.
 struct LinearProblem {
+  /// Cells of this flatness are too flat for multigrid, and a body of them has small factors
+  /// (doc/scaling.md).
+  static constexpr double flat = 5.;
+
   unsigned int dimension = 3;
   unsigned long long unknowns = 0;
   double flatness = 1.; ///< longest over shortest edge of a cell, on average
