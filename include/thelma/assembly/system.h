@@ -10,6 +10,7 @@
 #include <thelma/solvers/continuation.h>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -99,6 +100,12 @@ public:
 
   /// By these negative pivots beyond those of a stable state's tangent.
   long long unstable_directions(long long negative_pivots) const;
+
+  /// Whether linear solves take iterations.
+  bool iterates() const { return solver && solver->iterates(); }
+
+  /// Of cells and of the tangent's entries: the largest share of a rank over the mean.
+  std::map<std::string, double> imbalance() const;
 
   /// Which linear solver serves, and why.
   std::string solver_description() const;
