@@ -1,6 +1,7 @@
 #include <thelma/application/run_command.h>
 #include <thelma/application/simulation.h>
 #include <thelma/base/error.h>
+#include <thelma/output/checkpoints.h>
 #include <thelma/output/run_report.h>
 #include <thelma/problem.h>
 
@@ -85,6 +86,7 @@ Outcome SingleRun::run(const MPI_Comm comm, std::ostream& console) const
     return run_scene(comm, scene(), folder, console, Begin::anew, arguments);
   if (!is_finished())
     return run_scene(comm, scene(), folder, console, Begin::resumed, arguments);
+  on_rank_0(comm, [&]() { Checkpoints(folder).remove(); }); // if killed just before that
   const Outcome known = *read_run_report(folder + "/run.json");
   console << folder << " is finished: " << known.summary() << "\n";
   return known;

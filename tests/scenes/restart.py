@@ -40,10 +40,10 @@ SCENES = {
                            "Mesh/Parameters=n1: 2, n3: 3", "--set", "Expectations/Final values="],
     "time": ["prm/heated_bending.prm", "--set", "Mesh/Parameters=L: 20, H: 1, n1: 2, n3: 8",
              "--set", "Time/Tolerance=0.5", "--set", "Output/Fields=none"],
-    "time, monolithic": ["prm/heated_bending.prm", "--set", "Time/Coupling=monolithic", "--set",
-                         "Mesh/Parameters=L: 20, H: 1, n1: 2, n3: 4", "--set",
-                         "Time/Structural heat=entropy", "--set", "Time/Tolerance=1", "--set",
-                         "Output/Fields=none"],
+    "time, monolithic": ["prm/hard/heat_step.prm", "--set", "Time/Coupling=monolithic", "--set",
+                         "Time/Structural heat=entropy", "--set", "Time/Tolerance=0.5", "--set",
+                         "Time/Initial step=0.01", "--set", "Time/Scheme=BDF2", "--set",
+                         "Output/Observables=temperature_range, lambda_3, ledger"],
 }
 
 
@@ -94,26 +94,34 @@ def table(output):
     return columns, [row["event"] for row in rows]
 
 
+def family(column):
+    """Observable and unit."""
+    return column.split("_")[0], column.split("_")[-1]
+
+
 def compare(name, output, reference, tolerance, work):
-    """Every column, relative to its largest value; the same work, if that is to be."""
+    """Every column, relative to its largest value; the same work too, if it is on as many ranks."""
     (found, events), (wanted, wanted_events) = table(output), table(reference)
     require(events == wanted_events, f"{name}: the events are {events}, not {wanted_events}")
     largest = 0.0
     for column, values in wanted.items():
         if column == "newton_iterations" and not work:
             continue
-        scale = np.max(np.abs(values))
-        if "missing" in column:  # a difference of large numbers
-            scale = max(np.max(np.abs(v)) for c, v in wanted.items() if c.startswith("ledger"))
-        difference = np.max(np.abs(found[column] - values)) / (scale if scale > 0 else 1.0)
+        # Rounding differs on other ranks, and some forces are nothing else.
+        kin = [column] if work else [c for c in wanted if family(c) == family(column)]
+        scale = max(np.max(np.abs(wanted[c])) for c in kin)
+        difference = np.abs(found[column] - values) / (scale if scale > 0 else 1.0)
+        if column == "unstable_directions" and not work:
+            # At an event an eigenvalue is zero, and rounding decides on its sign.
+            difference = difference[[not event for event in events]]
+        difference = np.max(difference)
         require(difference <= tolerance, f"{name}: {column} differs by {difference}")
         largest = max(largest, difference)
     reports = [json.loads((folder / "run.json").read_text()) for folder in (output, reference)]
     for entry in ["outcome", "reason", "steps"] + work * ["failed_steps", "newton_iterations",
-                                                          "factorisations"]:
-        if tolerance < 1e-9 or entry not in ("reason",):
-            require(reports[0][entry] == reports[1][entry],
-                    f"{name}: {entry} is {reports[0][entry]}, not {reports[1][entry]}")
+                                                          "factorisations", "linear_iterations"]:
+        require(reports[0][entry] == reports[1][entry],
+                f"{name}: {entry} is {reports[0][entry]}, not {reports[1][entry]}")
     require(not list(output.glob("checkpoint*")), f"{name}: a checkpoint is left")
     return largest
 
@@ -124,7 +132,7 @@ def kill_until_done(runs, name, output, seconds):
     while True:
         with runs.start(output, SCENES[name] + EVERY_STEP) as process:
             try:
-                process.wait(random.uniform(0.0, seconds))
+                process.wait(random.uniform(0.0, 1.5 * seconds))
             except subprocess.TimeoutExpired:
                 process.kill()
             killed = process.wait() == -signal.SIGKILL
@@ -148,12 +156,17 @@ def check_kills(runs):
         print(f"{name}: killed {kills} times in {rounds} runs, largest difference {largest:.1e}")
 
 
+def wait_for_rows(process, output, rows):
+    """Until curve.csv has so many, or the process has ended."""
+    curve = output / "curve.csv"
+    while process.poll() is None and not (curve.exists() and len(table(output)[1]) >= rows):
+        time.sleep(0.002)
+
+
 def stop(runs, name, output, options, number=signal.SIGTERM, ranks=1, rows=4):
     """Sends the signal once there are some rows; returns the exit code and what was said."""
     with runs.start(output, SCENES[name] + options, ranks) as process:
-        curve = output / "curve.csv"
-        while process.poll() is None and not (curve.exists() and len(table(output)[1]) >= rows):
-            time.sleep(0.002)
+        wait_for_rows(process, output, rows)
         process.send_signal(number)
         errors = process.communicate(timeout=60)[1]
     return process.returncode, errors
@@ -215,20 +228,18 @@ def check_damage(runs):
 
 
 def check_full_disk(runs):
-    """No file may grow beyond a limit: one sentence, exit code 4, and what was written stays."""
+    """No file may grow any more: one sentence, exit code 4, and the last checkpoint serves."""
     for name in ("stages", "time"):
         reference, _ = runs.reference(name)
         output = runs.folder / f"{name}, full disk"
-        code, _ = stop(runs, name, output, EVERY_STEP)
-        require(code == 4, f"full disk: exit code {code}")
-        limit = max(path.stat().st_size for path in output.iterdir()) + 100
-        before = {path: path.read_bytes() for path in output.glob("checkpoint.*")}
-        errors = runs.finish(
-            output, [], exit_code=4,
-            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+        with runs.start(output, SCENES[name] + EVERY_STEP) as process:
+            wait_for_rows(process, output, 6)
+            limit = max(path.stat().st_size for path in output.glob("checkpoint.*"))
+            resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (limit, limit))
+            errors = process.communicate(timeout=60)[1]
+        require(process.returncode == 4, f"full disk: exit code {process.returncode}, {errors}")
         require(errors.count("\n") == 1 and "make room" in errors, f"full disk: {errors}")
-        require(any(path.read_bytes() == text for path, text in before.items()) or
-                len(list(output.glob("checkpoint.?"))) == 2, "full disk: a checkpoint is lost")
+        require(not list(output.glob("*.part")), "full disk: half a file is left")
         runs.finish(output, [])
         largest = compare(name, output, reference, 1e-10, work=True)
         print(f"{name}: largest difference after a full disk {largest:.1e}")
@@ -269,9 +280,7 @@ def check_study(runs, ranks):
         output = runs.folder / f"study {number}"
         with runs.start(output, arguments) as process:
             last = output / "Temperature.Value=333"
-            while process.poll() is None and not (
-                    (last / "curve.csv").exists() and len(table(last)[1]) >= 4):
-                time.sleep(0.002)
+            wait_for_rows(process, last, 4)
             process.send_signal(number)
             process.communicate(timeout=60)
         require(process.returncode == code, f"study: exit code {process.returncode}, not {code}")
