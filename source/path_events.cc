@@ -5,6 +5,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace thelma
 {
@@ -33,8 +34,9 @@ PathFollowing<dim>::locate(const double low, const double high, const double tol
   bool lost = false;
   const auto at = [&](const double place) {
     const Solution found = between(place);
-    lost = lost || !found;
-    return lost ? 0. : value(*found); // zero ends the search
+    const double here = found && !lost ? value(*found) : std::numeric_limits<double>::quiet_NaN();
+    lost = lost || !std::isfinite(here);
+    return lost ? 0. : here; // zero ends the search
   };
   const double at_low = at(low), at_high = at(high);
   if (lost || at_low * at_high > 0.)

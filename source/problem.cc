@@ -83,6 +83,7 @@ void Problem<dim>::setup()
     for (const std::string& line : transient.summary())
       outcome.modelled.push_back(line);
   outcome.cells = mesh.triangulation().n_active_cells();
+  outcome.imbalance = system.imbalance();
   for (const Field field : layout.fields())
     outcome.unknowns[field_name(field)] = layout.n_dofs(field);
 }

@@ -2,10 +2,12 @@
 
 #include <thelma/assembly/system.h>
 #include <thelma/base/axes.h>
+#include <thelma/solvers/eigenpairs.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
+#include <limits>
 
 namespace thelma
 {
@@ -62,35 +64,32 @@ void System<dim>::add_response(const double change)
     internal_correction[i] += change * internal_response[i];
 }
 
-/// Inverse iteration: with only forces on the right-hand side every solution obeys the other
-/// fields' equations.
+/// With only forces on the right-hand side every solution obeys the other fields' equations.
 template <int dim>
 double System<dim>::critical_mode(BlockVector& mode)
 {
-  constexpr unsigned int most_iterations = 500;
-  constexpr double converged = 1e-20; // 1 - cos^2 of the angle between iterates
   mode = layout.new_vector();
   for (const auto i : mode.block(0).locally_owned_elements())
     mode.block(0)(i) = std::sin(1. + i); // no eigenvector is without a part of it
   conditions.constraints().set_zero(mode);
-  mode /= mode.block(0).l2_norm();
   const std::vector<double> no_charge(floating.charges(0.).size(), 0.);
-  double eigenvalue = 0.;
-  for (unsigned int iteration = 0; iteration < most_iterations; ++iteration) {
-    BlockVector next = mode;
-    for (unsigned int b = 1; b < next.n_blocks(); ++b)
-      next.block(b) = 0.;
-    solve_tangent(next, no_charge);
-    const double product = mode.block(0) * next.block(0), square = next.block(0).norm_sqr();
-    eigenvalue = 1. / product;
-    const double change = 1. - product * product / square;
-    mode = next;
-    mode /= std::sqrt(square);
-    if (change < converged)
-      break;
-  }
+  BlockVector work = mode;
+  const auto solve = [&](Displacement& vector) {
+    work = 0.;
+    work.block(0).copy_locally_owned_data_from(vector);
+    solve_tangent(work, no_charge);
+    conditions.constraints().set_zero(work);
+    vector.copy_locally_owned_data_from(work.block(0));
+  };
+  const std::optional<Eigenpair> smallest = smallest_eigenpair(solve, mode.block(0));
+  if (!smallest)
+    return std::numeric_limits<double>::quiet_NaN();
+  Displacement direction = smallest->vector;
+  solve(direction); // for the other fields
+  mode = work;
+  mode *= smallest->value;
   mode *= orientation(mode) < 0. ? -1. : 1.;
-  return eigenvalue;
+  return smallest->value;
 }
 
 /// A linear functional without symmetries, so that the sign of a mode is the same on every mesh and

@@ -4,22 +4,52 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <Epetra_CrsMatrix.h>
+
+#include <algorithm>
+
 namespace thelma
 {
+namespace
+{
+
+/// Longest over shortest edge of a cell, on average.
+template <int dim>
+double flatness(const FieldLayout<dim>& layout)
+{
+  double sum = 0.;
+  for (const Cell<dim>& cell : layout.cells()) {
+    double shortest = cell.iterator->extent_in_direction(0), longest = shortest;
+    for (int d = 1; d < dim; ++d) {
+      const double edge = cell.iterator->extent_in_direction(d);
+      shortest = std::min(shortest, edge);
+      longest = std::max(longest, edge);
+    }
+    sum += longest / shortest;
+  }
+  const double n_cells = layout.cells().size();
+  return dealii::Utilities::MPI::sum(sum, layout.communicator()) /
+         dealii::Utilities::MPI::sum(n_cells, layout.communicator());
+}
+
+} // namespace
 
 template <int dim>
 void System<dim>::choose_solver()
 {
-  unsigned long long unknowns = 0;
+  LinearProblem problem;
+  problem.dimension = dim;
   for (const Field field : layout.fields())
-    unknowns += layout.n_dofs(field);
-  choice = choose_linear_solver(
-      linear_settings,
-      {dim, unknowns, formulation->n_kept_pressures() > 0 && is_symmetric(), needs_inertia});
+    problem.unknowns += layout.n_dofs(field);
+  problem.flatness = flatness(layout);
+  problem.is_symmetric = is_symmetric();
+  problem.pressures_can_be_kept = formulation->n_kept_pressures() > 0 && is_symmetric();
+  problem.needs_inertia = needs_inertia;
+  choice = choose_linear_solver(linear_settings, problem);
   if (solved == Solved::temperature)
     choice = {"direct", "the temperature alone is small"};
   solver = linear_solvers().create(choice.solver);
-  solver->setup(layout.communicator(), is_symmetric(), linear_settings);
+  solver->setup(layout.communicator(), problem, linear_settings);
 }
 
 template <int dim>
@@ -56,6 +86,20 @@ LinearReport System<dim>::prepare_solver()
 }
 
 template <int dim>
+std::map<std::string, double> System<dim>::imbalance() const
+{
+  double nonzeros = 0.;
+  for (unsigned int i = 0; i < matrix.matrix().n_block_rows(); ++i)
+    for (unsigned int j = 0; j < matrix.matrix().n_block_cols(); ++j)
+      nonzeros += matrix.matrix().block(i, j).trilinos_matrix().NumMyNonzeros();
+  const auto ratio = [&](const double own) {
+    const auto share = dealii::Utilities::MPI::min_max_avg(own, layout.communicator());
+    return share.max / share.avg;
+  };
+  return {{"cells", ratio(layout.cells().size())}, {"nonzeros", ratio(nonzeros)}};
+}
+
+template <int dim>
 std::string System<dim>::solver_description() const
 {
   return "linear solver: " + choice.solver + ", because " + choice.reason +
@@ -68,6 +112,8 @@ template void System<2>::keep_pressures();
 template void System<3>::keep_pressures();
 template LinearReport System<2>::prepare_solver();
 template LinearReport System<3>::prepare_solver();
+template std::map<std::string, double> System<2>::imbalance() const;
+template std::map<std::string, double> System<3>::imbalance() const;
 template std::string System<2>::solver_description() const;
 template std::string System<3>::solver_description() const;
 

@@ -7,6 +7,7 @@
 #include <Epetra_CrsMatrix.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <utility>
 
@@ -35,8 +36,7 @@ struct Row {
   int* columns = nullptr;
 };
 
-/// Where the entries of a cell stand in the matrix; Trilinos' own numbers are looked up once a
-/// cell.
+/// Finds a cell's rows in the matrix; Trilinos' own numbers are looked up once a cell.
 class CellColumns
 {
 public:
@@ -51,15 +51,21 @@ public:
         ids[b].push_back(matrix.block(b, block[j]).trilinos_matrix().LCID(indices[j]));
   }
 
-  /// Write the @p places of the entries in row @p i from the @p starts of its blocks' values.
+  /// Find row @p i, an own one, with the @p coupled unknowns; @p starts are those of its blocks'
+  /// values.
   void find(const std::size_t i, const std::vector<unsigned int>& coupled, double* const* starts,
-            int* places) const
+            CellRows& cell) const
   {
     std::vector<Row> rows;
-    for (unsigned int b = 0; b < ids.size(); ++b)
+    for (unsigned int b = 0; b < ids.size(); ++b) {
       rows.emplace_back(matrix.block(block[i], b).trilinos_matrix(), indices[i]);
-    for (const unsigned int j : coupled)
-      places[j] = static_cast<int>(rows[block[j]].entry(ids[block[i]][j]) - starts[block[j]]);
+      cell.begins[i * ids.size() + b] = static_cast<int>(rows[b].values - starts[b]);
+    }
+    for (const unsigned int j : coupled) {
+      const Row& row = rows[block[j]];
+      cell.offsets[i * block.size() + j] =
+          static_cast<int>(row.entry(ids[block[i]][j]) - row.values);
+    }
   }
 
 private:
@@ -68,6 +74,25 @@ private:
   std::vector<int> indices;          ///< of the cell's unknowns in their blocks
   std::vector<std::vector<int>> ids; ///< [block of the row][unknown of the cell]
 };
+
+/// Add the @p entries of a run, most often as many as a node has displacements.
+void add_run(const unsigned int length, const double* entries, double* values)
+{
+  switch (length) {
+  case 3:
+    values[2] += entries[2];
+    [[fallthrough]];
+  case 2:
+    values[1] += entries[1];
+    [[fallthrough]];
+  case 1:
+    values[0] += entries[0];
+    break;
+  default:
+    for (unsigned int k = 0; k < length; ++k)
+      values[k] += entries[k];
+  }
+}
 
 } // namespace
 
@@ -78,7 +103,7 @@ void TangentMatrix<dim>::setup(const FieldLayout<dim>& layout,
   constraints = &conditions.constraints();
   coupling = std::move(pairs);
   make_pattern(layout);
-  find_positions(layout);
+  find_places(layout);
 }
 
 /// The unknowns of @p cell that have an entry in the row of its unknown @p i.
@@ -148,7 +173,7 @@ double* TangentMatrix<dim>::entry(const dealii::types::global_dof_index row,
 }
 
 template <int dim>
-void TangentMatrix<dim>::find_positions(const FieldLayout<dim>& layout)
+void TangentMatrix<dim>::find_places(const FieldLayout<dim>& layout)
 {
   const dealii::IndexSet owned = layout.dof_handler().locally_owned_dofs();
   const unsigned int n_blocks = tangent.n_block_rows();
@@ -166,29 +191,27 @@ void TangentMatrix<dim>::find_positions(const FieldLayout<dim>& layout)
   for (const auto& line : constraints->get_lines())
     if (owned.is_element(line.index))
       diagonals.insert(entry(line.index, line.index));
-  positions.clear();
-  blocks.clear();
+  places.clear();
   for (const Cell<dim>& cell : layout.cells()) {
     const std::size_t n = cell.dofs.size();
     std::vector<unsigned int> block(n);
     for (std::size_t i = 0; i < n; ++i)
       block[i] = layout.block_of_dof(cell.dofs[i]);
-    std::vector<int> place(n * n, skipped);
+    CellRows rows(block, n_blocks);
     const std::vector<bool> is_free = free_unknowns(cell);
     const CellColumns local(tangent, cell.dofs, block);
     for (std::size_t i = 0; i < n; ++i) {
-      const bool own = owned.is_element(cell.dofs[i]);
+      rows.own[i] = owned.is_element(cell.dofs[i]);
       const std::vector<unsigned int> coupled = columns(cell, i, is_free);
-      if (own)
-        local.find(i, coupled, block_values.data() + block[i] * n_blocks, place.data() + i * n);
+      if (rows.own[i])
+        local.find(i, coupled, block_values.data() + block[i] * n_blocks, rows);
       else
         for (const unsigned int j : coupled)
-          place[i * n + j] = elsewhere;
-      if (own && place[i * n + i] == skipped)
+          rows.offsets[i * n + j] = 0;
+      if (rows.own[i] && rows.offsets[i * n + i] == CellRows::absent)
         diagonals.insert(entry(cell.dofs[i], cell.dofs[i]));
     }
-    positions.push_back(std::move(place));
-    blocks.push_back(std::move(block));
+    places.emplace_back(rows);
   }
   fixed_diagonals.assign(diagonals.begin(), diagonals.end());
 }
@@ -205,35 +228,43 @@ template <int dim>
 void TangentMatrix<dim>::add(const std::size_t index, const Cell<dim>& cell,
                              const std::vector<double>& entries)
 {
-  const std::size_t n = cell.dofs.size();
-  const unsigned int n_blocks = tangent.n_block_rows();
-  const std::vector<unsigned int>& block = blocks[index];
+  const std::size_t n = cell.dofs.size(), n_blocks = tangent.n_block_rows();
+  const CellPlaces& place = places[index];
+  std::array<double*, 3> begins;
   for (std::size_t i = 0; i < n; ++i) {
-    const int* place = positions[index].data() + i * n;
-    const double* row = entries.data() + i * n;
-    double* const* values = block_values.data() + block[i] * n_blocks;
-    bool away = false;
-    for (std::size_t j = 0; j < n; ++j)
-      if (place[j] >= 0)
-        values[block[j]][place[j]] += row[j];
-      else
-        away = away || place[j] == elsewhere;
-    if (away)
-      add_row(cell, i, place, row);
+    const CellPlaces::Row& row = place.rows[i];
+    if (row.pattern == CellPlaces::no_pattern)
+      continue;
+    const double* row_entries = entries.data() + i * n;
+    if (!row.own) {
+      add_row(cell, i, place, row_entries);
+      continue;
+    }
+    for (std::size_t b = 0; b < n_blocks; ++b)
+      begins[b] = block_values[row.block * n_blocks + b] + place.begins[i * n_blocks + b];
+    const unsigned short* offset = place.offsets_of(row);
+    for (const CellPlaces::Run& run : place.runs) {
+      if (*offset != CellPlaces::absent) {
+        add_run(run.length, row_entries + run.first, begins[run.block] + *offset);
+      }
+      ++offset;
+    }
   }
 }
 
 template <int dim>
-void TangentMatrix<dim>::add_row(const Cell<dim>& cell, const std::size_t i, const int* place,
-                                 const double* entries)
+void TangentMatrix<dim>::add_row(const Cell<dim>& cell, const std::size_t i,
+                                 const CellPlaces& place, const double* entries)
 {
   std::vector<dealii::types::global_dof_index> indices;
   std::vector<double> values;
-  for (std::size_t j = 0; j < cell.dofs.size(); ++j)
-    if (place[j] != skipped) {
-      indices.push_back(cell.dofs[j]);
-      values.push_back(entries[j]);
-    }
+  const unsigned short* offset = place.offsets_of(place.rows[i]);
+  for (const CellPlaces::Run& run : place.runs)
+    if (*offset++ != CellPlaces::absent)
+      for (unsigned int j = run.first; j < run.first + run.length; ++j) {
+        indices.push_back(cell.dofs[j]);
+        values.push_back(entries[j]);
+      }
   tangent.add(cell.dofs[i], indices.size(), indices.data(), values.data(), false);
 }
 

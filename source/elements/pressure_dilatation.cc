@@ -8,8 +8,8 @@ namespace thelma
 namespace
 {
 
-/// Values at the points of a rule.
-using PointValues = std::array<double, 27>;
+/// Values at the points of a rule and in the lanes that belong to none.
+using PointValues = std::array<double, 32>;
 
 /// The stress and stiffness of a given pressure field.
 template <bool whole>
@@ -17,14 +17,14 @@ struct GivenPressure {
   static constexpr bool conducts = whole;
   PointValues pressure; ///< at the points of the rule, MPa
 
-  template <typename Derivatives>
-  void add(const Material& material, const PointState<>& state, const Kinematics<>& kin,
+  template <typename Number, typename Derivatives>
+  void add(const Material& material, const PointState<Number>& state, const Kinematics<Number>& kin,
            const unsigned int q, Derivatives& d) const
   {
     if constexpr (whole)
       material.evaluate(state, d);
-    Volumetric<> constant{};
-    constant.p = pressure[q];
+    Volumetric<Number> constant{};
+    constant.p = load<Number>(pressure.data() + q);
     add_volumetric(kin, constant, d);
   }
 
@@ -59,16 +59,15 @@ struct PressureDilatation<dim>::Local {
       if (!(min_det > 0.))
         return;
       const double w = points.geometry[q].JxW;
-      const Volumetric<> v =
-          view.cell.material->thermal.volumetric(dilatation, points.input[q].state.theta);
+      const Volumetric<> v = view.cell.material->thermal.volumetric(dilatation, points.theta(q));
       for (unsigned int i = 0; i < n; ++i) {
-        R_p[i] += w * m[i] * (points.kinematics[q].J - dilatation);
+        R_p[i] += w * m[i] * (points.J(q) - dilatation);
         R_t[i] += w * m[i] * (v.p - pressure);
         for (unsigned int j = 0; j < n; ++j)
           H[i][j] += w * v.dp_dJ * m[i] * m[j];
       }
       dp_dtheta[q] = v.dp_dtheta;
-      stored.add(w, thelma::energies(v, points.input[q].state.theta));
+      stored.add(w, thelma::energies(v, points.theta(q)));
     }
   }
 
@@ -146,7 +145,7 @@ void PressureDilatation<dim>::with_points(const CellView<dim>& view, const Actio
 template <int dim>
 void PressureDilatation<dim>::residual(const CellView<dim>& view, CellResult& result) const
 {
-  result.reset(rule().basis().n_nodes * view.cell.n_components, false);
+  result.reset(view, rule().basis().n_nodes, false);
   with_points(view, [&](const CellPoints<dim>& points, const CellPoints<dim>& own) {
     const Local local(*this, view, own);
     result.min_det_F = local.min_det;
@@ -167,13 +166,14 @@ void PressureDilatation<dim>::residual(const CellView<dim>& view, CellResult& re
 template <int dim>
 void PressureDilatation<dim>::tangent(const CellView<dim>& view, CellResult& result) const
 {
-  result.reset(rule().basis().n_nodes * view.cell.n_components, true);
+  result.reset(view, rule().basis().n_nodes, true);
   with_points(view, [&](const CellPoints<dim>& points, const CellPoints<dim>& own) {
     const Local local(*this, view, own);
     integrate_energy(view, points, own, local.p, true, result);
     add_condensed(view, own, local, result);
     add_heat(view, own, true, result);
   });
+  result.blocks.write(result.tangent);
 }
 
 template <int dim>
@@ -222,42 +222,24 @@ void PressureDilatation<dim>::add_condensed(const CellView<dim>& view,
         for (unsigned int j = 0; j < n_modes; ++j)
           S[i * n_modes + j] += M[i][k] * local.H[k][l] * M[l][j];
 
-  for (unsigned int q = 0; q < points.n_points; ++q) {
-    const Kinematics<>& kin = points.kinematics[q];
-    const Gradients<dim>& gradients = points.gradients[q];
-    const double w = points.geometry[q].JxW;
-    for (int c = 0; c < dim; ++c)
-      for (int J = 0; J < dim; ++J)
-        add_rows(modes[q], w * kin.J * kin.G[axis<dim>(c)][axis<dim>(J)], gradients.g[J].data(),
-                 B + c * block_size());
-    if (has_temperature)
-      add_rows(modes[q], w * local.dp_dtheta[q], gradients.N, B + dim * block_size());
-  }
+  for (int c = 0; c < dim; ++c)
+    set_constraint(points, c, B + c * block_size());
+  if (has_temperature)
+    for (unsigned int q = 0; q < points.n_points; ++q)
+      add_rows(modes[q], points.geometry[q].JxW * local.dp_dtheta[q], points.gradients[q].N,
+               B + dim * block_size());
 
   if (!view.solves_deformation())
     return;
   ModeMatrix stiffness{};
   for (unsigned int i = 0; i < n_modes; ++i)
     std::copy_n(S + i * n_modes, n_modes, stiffness[i].begin());
-  const bool heated = view.solves_temperature();
-  for (int c = 0; c < dim; ++c) {
-    for (int d = heated ? 0 : c; d < dim && !view.keeps_pressures; ++d)
-      add_product(B + c * block_size(), stiffness, B + d * block_size(), view, c, d,
-                  !heated && c != d, result);
-    if (heated)
-      add_product(B + c * block_size(), M, B + dim * block_size(), view, c, n_c - 1, false, result);
-  }
-}
-
-/// rows_ia += m_i w g_a.
-template <int dim>
-void PressureDilatation<dim>::add_rows(const Modes& m, const double w, const double* g,
-                                       double* rows) const
-{
-  const unsigned int stride = rule().basis().stride;
-  for (unsigned int i = 0; i < n_modes; ++i)
-    for (unsigned int a = 0; a < stride; ++a)
-      rows[i * stride + a] += m[i] * w * g[a];
+  if (!view.keeps_pressures)
+    for (int d = 0; d < dim; ++d)
+      add_product(B, 0, view.solves_temperature() ? dim : d + 1, stiffness, B + d * block_size(), d,
+                  result);
+  if (view.solves_temperature())
+    add_product(B, 0, dim, M, B + dim * block_size(), n_c - 1, result);
 }
 
 template <int dim>

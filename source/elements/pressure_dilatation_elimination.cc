@@ -3,26 +3,62 @@
 namespace thelma
 {
 
-/// Add A^T S B to the block of the components c, d and, @p mirrored, its transpose.
+/// rows_ia = int m_i J G_cJ dN_a/dX_J: how R_p changes with the displacement's component @p c.
 template <int dim>
-void PressureDilatation<dim>::add_product(const double* A, const ModeMatrix& S, const double* B,
-                                          const CellView<dim>& view, const int c, const int d,
-                                          const bool mirrored, CellResult& result) const
+void PressureDilatation<dim>::set_constraint(const CellPoints<dim>& points, const int c,
+                                             double* rows) const
 {
-  constexpr unsigned int length = Gradients<dim>::length;
-  const unsigned int stride = rule().basis().stride, n_nodes = rule().basis().n_nodes;
-  alignas(32) std::array<double, length * length> C;
-  std::array<double, 8 * length> answer;
-  std::array<const double*, 8> rows;
+  const unsigned int stride = rule().basis().stride;
+  double cofactor[CellPoints<dim>::max][dim];
+  for (unsigned int q = 0; q < points.n_points; ++q)
+    for (int J = 0; J < dim; ++J)
+      cofactor[q][J] =
+          points.geometry[q].JxW * points.J(q) * points.G(q, axis<dim>(c), axis<dim>(J));
+  for (unsigned int a = 0; a < stride; a += 4) {
+    Register sums[8] = {};
+    for (unsigned int q = 0; q < points.n_points; ++q) {
+      Register change{};
+      for (int J = 0; J < dim; ++J)
+        change += cofactor[q][J] * *reinterpret_cast<const Register*>(&points.gradients[q].g[J][a]);
+      for (unsigned int i = 0; i < n_modes; ++i)
+        sums[i] += modes[q][i] * change;
+    }
+    for (unsigned int i = 0; i < n_modes; ++i)
+      *reinterpret_cast<Register*>(rows + i * stride + a) = sums[i];
+  }
+}
+
+/// rows_ia += m_i w g_a.
+template <int dim>
+void PressureDilatation<dim>::add_rows(const Modes& m, const double w, const double* g,
+                                       double* rows) const
+{
+  const unsigned int stride = rule().basis().stride;
+  for (unsigned int i = 0; i < n_modes; ++i)
+    for (unsigned int a = 0; a < stride; ++a)
+      rows[i * stride + a] += m[i] * w * g[a];
+}
+
+/// Add A_c^T S B to the block of the components c, d for c from @p first to before @p last; from
+/// the first of them on, the A_c follow each other in @p A.
+template <int dim>
+void PressureDilatation<dim>::add_product(const double* A, const int first, const int last,
+                                          const ModeMatrix& S, const double* B, const int d,
+                                          CellResult& result) const
+{
+  const unsigned int stride = rule().basis().stride;
+  alignas(64) std::array<double, 8 * Gradients<dim>::length> answer;
   std::fill_n(answer.begin(), block_size(), 0.);
-  for (unsigned int i = 0; i < n_modes; ++i) {
-    rows[i] = A + i * stride;
+  for (unsigned int i = 0; i < n_modes; ++i)
     for (unsigned int j = 0; j < n_modes; ++j)
       for (unsigned int b = 0; b < stride; ++b)
         answer[i * stride + b] += S[i][j] * B[j * stride + b];
+  std::array<const double*, 8> rows;
+  for (int c = first; c < last; ++c, A += block_size()) {
+    for (unsigned int i = 0; i < n_modes; ++i)
+      rows[i] = A + i * stride;
+    result.blocks.add_product(c, d, n_modes, rows.data(), answer.data());
   }
-  multiply(stride, n_modes, rows.data(), answer.data(), n_nodes, C.data());
-  add_block(C.data(), n_nodes, view.cell.n_components, c, d, mirrored, result.tangent.data());
 }
 
 /// R -= -B^T (M R_t + S R_p): what the pressure lacks where the nodes are; and what the dilatation
@@ -92,16 +128,18 @@ PressureBlock PressureDilatation<dim>::pressures(const Elimination<dim>& cell) c
           &mass_inverse[cell.index]};
 }
 
-template void PressureDilatation<2>::add_product(const double*, const ModeMatrix&, const double*,
-                                                 const CellView<2>&, int, int, bool,
-                                                 CellResult&) const;
+template void PressureDilatation<2>::set_constraint(const CellPoints<2>&, int, double*) const;
+template void PressureDilatation<2>::add_rows(const Modes&, double, const double*, double*) const;
+template void PressureDilatation<3>::set_constraint(const CellPoints<3>&, int, double*) const;
+template void PressureDilatation<3>::add_rows(const Modes&, double, const double*, double*) const;
+template void PressureDilatation<2>::add_product(const double*, int, int, const ModeMatrix&,
+                                                 const double*, int, CellResult&) const;
 template void PressureDilatation<2>::eliminate(const Elimination<2>&, double*) const;
 template void PressureDilatation<2>::recover(const Elimination<2>&, const double*, double*) const;
 template PressureBlock PressureDilatation<2>::pressures(const Elimination<2>&) const;
 template PressureBlock PressureDilatation<3>::pressures(const Elimination<3>&) const;
-template void PressureDilatation<3>::add_product(const double*, const ModeMatrix&, const double*,
-                                                 const CellView<3>&, int, int, bool,
-                                                 CellResult&) const;
+template void PressureDilatation<3>::add_product(const double*, int, int, const ModeMatrix&,
+                                                 const double*, int, CellResult&) const;
 template void PressureDilatation<3>::eliminate(const Elimination<3>&, double*) const;
 template void PressureDilatation<3>::recover(const Elimination<3>&, const double*, double*) const;
 

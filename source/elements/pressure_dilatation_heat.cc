@@ -18,7 +18,7 @@ void PressureDilatation<dim>::add_heat(const CellView<dim>& view, const CellPoin
   double* dh_dt = B + (dim + 1) * block_size();
   for (unsigned int q = 0; q < points.n_points; ++q) {
     const double* N = points.gradients[q].N;
-    const double w = points.geometry[q].JxW, theta = points.input[q].state.theta;
+    const double w = points.geometry[q].JxW, theta = points.theta(q);
     const auto dilatation = [&](const double* internal) {
       double t = 0.;
       for (unsigned int i = 0; i < n_modes; ++i)
@@ -41,13 +41,11 @@ void PressureDilatation<dim>::add_heat(const CellView<dim>& view, const CellPoin
     add_rows(modes[q], w * theta * rate.d_dt, N, dh_dt);
     for (unsigned int a = 0; a < n_nodes; ++a)
       for (unsigned int b = 0; b < n_nodes; ++b)
-        result.tangent[(a * n_c + heat) * n_nodes * n_c + b * n_c + heat] +=
-            w * (rate.h + theta * rate.d_dtheta) * N[a] * N[b];
+        result.blocks.entry(heat, heat, a, b) += w * (rate.h + theta * rate.d_dtheta) * N[a] * N[b];
   }
   if (with_tangent && view.solves_deformation())
     for (int d = 0; d < dim; ++d)
-      add_product(dh_dt, mass_inverse[view.index], B + d * block_size(), view, heat, d, false,
-                  result);
+      add_product(dh_dt, heat, heat + 1, mass_inverse[view.index], B + d * block_size(), d, result);
 }
 
 template void PressureDilatation<2>::add_heat(const CellView<2>&, const CellPoints<2>&, bool,

@@ -16,14 +16,15 @@ public:
 
   void residual(const CellView<dim>& view, CellResult& result) const override
   {
-    result.reset(view.cell.dofs.size(), false);
+    result.reset(view, full->basis().n_nodes, false);
     integrate(CellPoints<dim>(*full, view), view, WholeEnergy(), false, result);
   }
 
   void tangent(const CellView<dim>& view, CellResult& result) const override
   {
-    result.reset(view.cell.dofs.size(), true);
+    result.reset(view, full->basis().n_nodes, true);
     integrate(CellPoints<dim>(*full, view), view, WholeEnergy(), true, result);
+    result.blocks.write(result.tangent);
   }
 
   Energies energies(const CellView<dim>& view) const override

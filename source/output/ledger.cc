@@ -129,9 +129,9 @@ private:
     scene.system.for_each_cell([&](const CellView<dim>& view) {
       const CellPoints<dim> points(*rule, view);
       for (unsigned int q = 0; q < points.n_points; ++q) {
-        const PointInput& input = points.input[q];
-        const HeatFlux flux =
-            view.cell.material->thermal.heat_flux(points.kinematics[q], input.grad_theta);
+        const PointInput<double> input = points.at(q);
+        const HeatFlux<> flux =
+            view.cell.material->thermal.heat_flux(Kinematics<>(input.state.F), input.grad_theta);
         sum -= points.geometry[q].JxW * (flux.Q * input.grad_theta) /
                (input.state.theta * input.state.theta);
       }

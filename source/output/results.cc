@@ -97,6 +97,8 @@ void Results<dim>::setup(const Scene<dim>& scene, const double theta)
   if (scene.system.knows_stability())
     columns.emplace_back("unstable_directions");
   columns.emplace_back("newton_iterations");
+  if (scene.system.iterates())
+    columns.emplace_back("linear_iterations");
   columns.emplace_back("seconds");
   curve = std::make_unique<Curve>(columns);
   complaints.allow([&]() { expectations.setup(columns, theta); });
@@ -183,6 +185,8 @@ void Results<dim>::add(const Scene<dim>& scene, const PathPoint& point, const Ne
   if (scene.system.knows_stability())
     row.push_back(static_cast<double>(point.unstable_directions));
   row.push_back(report.iterations);
+  if (scene.system.iterates())
+    row.push_back(report.linear_iterations);
   row.push_back(seconds());
   curve->add(row);
   curve->set_event(point.event);

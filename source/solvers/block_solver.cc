@@ -1,9 +1,11 @@
 #include <thelma/solvers/multigrid.h>
+#include <thelma/solvers/mumps.h>
 
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
 
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -15,6 +17,9 @@ namespace
 using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 using BlockVector = dealii::LinearAlgebra::distributed::BlockVector<double>;
 using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;
+
+/// x = approximate inverse times b; empty where a block is the identity.
+using Inverse = std::function<void(Vector& x, const Vector& b)>;
 
 /// The tangent with its pressures as last block. Rows are scaled so that the norm of a residual
 /// makes sense in whatever units its fields have.
@@ -106,7 +111,7 @@ private:
 class BlockTriangular
 {
 public:
-  BlockTriangular(const MixedOperator& op, const std::vector<std::optional<Multigrid>>& inverses)
+  BlockTriangular(const MixedOperator& op, const std::vector<Inverse>& inverses)
       : op(op), inverses(inverses)
   {
   }
@@ -129,7 +134,7 @@ public:
       for (unsigned int c = b + 1; c < n; ++c)
         if (inverses[c])
           op.add(b, c, -1., z.block(c), r.block(b));
-      inverses[b]->vmult(z.block(b), r.block(b));
+      inverses[b](z.block(b), r.block(b));
       if (op.tangent.surrogates->matrix(b) && b > 0)
         z.block(b) *= -1.; // the potential's block is negative
     }
@@ -137,25 +142,44 @@ public:
 
 private:
   const MixedOperator& op;
-  const std::vector<std::optional<Multigrid>>& inverses;
+  const std::vector<Inverse>& inverses;
 };
 
 /// FGMRES on the tangent with pressures, preconditioned field by field.
 class BlockSolver final : public LinearSolver
 {
 public:
-  void setup(const MPI_Comm, const bool, const LinearSettings& chosen) override
+  void setup(const MPI_Comm comm, const LinearProblem& problem,
+             const LinearSettings& chosen) override
   {
     settings = chosen;
+    if (problem.flatness > LinearProblem::flat)
+      factors = std::make_unique<Mumps>(comm, true);
   }
 
   bool keeps_pressures() const override { return true; }
+  bool iterates() const override { return true; }
 
+  /// The preconditioner costs a few iterations and saves more when it is the tangent's own.
   LinearReport prepare(const Tangent& tangent) override
   {
     op.emplace(tangent);
-    if (!worth_keeping())
-      build(tangent);
+    tangent.surrogates->update();
+    inverses.assign(op->n, {});
+    for (unsigned int b = 0; b < op->n; ++b)
+      if (tangent.solved[b]) {
+        const SparseMatrix* stand_in = tangent.surrogates->matrix(b);
+        const SparseMatrix& matrix = stand_in ? *stand_in : tangent.matrix.block(b, b);
+        if (b == 0 && factors) {
+          if (const LinearReport report = factors->factorise(matrix); !report.solved)
+            return report;
+          inverses[b] = [this](Vector& x, const Vector& r) {
+            x = r;
+            factors->solve(x);
+          };
+        } else
+          inverses[b] = cycle(b, matrix, *tangent.surrogates);
+      }
     // Assembly against residual and solution: a new tangent hardly costs more than an old one.
     return {true, "", true, 0, 1.5};
   }
@@ -177,43 +201,28 @@ public:
       report.reason = "the block solver did not converge in " +
                       std::to_string(settings.max_iterations) + " iterations";
     }
-    last_iterations = report.iterations = control.last_step();
-    if (first_iterations == 0)
-      first_iterations = last_iterations;
+    report.iterations = control.last_step();
     for (unsigned int k = 0; k < op->n; ++k)
       vector.block(k).copy_locally_owned_data_from(x.block(k));
     return report;
   }
 
 private:
-  static constexpr unsigned int most_vectors = 60; ///< before a restart
+  static constexpr unsigned int most_vectors = 80; ///< before a restart
 
-  /// The preconditioner serves while it takes hardly more iterations than when it was new.
-  bool worth_keeping() const
+  static Inverse cycle(const unsigned int block, const SparseMatrix& matrix,
+                       const Surrogates& surrogates)
   {
-    return !inverses.empty() && first_iterations > 0 &&
-           last_iterations <= first_iterations + first_iterations / 5 + 2;
-  }
-
-  void build(const Tangent& tangent)
-  {
-    tangent.surrogates->update();
-    inverses = std::vector<std::optional<Multigrid>>(op->n);
-    for (unsigned int b = 0; b < op->n; ++b)
-      if (tangent.solved[b]) {
-        const SparseMatrix* stand_in = tangent.surrogates->matrix(b);
-        inverses[b].emplace().setup(stand_in ? *stand_in : tangent.matrix.block(b, b),
-                                    b == 0 ? tangent.surrogates->components(b) : 1,
-                                    b == 0 ? tangent.surrogates->rigid_motions()
-                                           : std::vector<std::vector<double>>());
-      }
-    first_iterations = 0;
+    const auto multigrid = std::make_shared<Multigrid>();
+    multigrid->setup(matrix, block == 0 ? surrogates.components(block) : 1,
+                     block == 0 ? surrogates.rigid_motions() : std::vector<std::vector<double>>());
+    return [multigrid](Vector& x, const Vector& b) { multigrid->vmult(x, b); };
   }
 
   LinearSettings settings;
   std::optional<MixedOperator> op;
-  std::vector<std::optional<Multigrid>> inverses; ///< empty for identities
-  unsigned int first_iterations = 0, last_iterations = 0;
+  std::vector<Inverse> inverses;
+  std::unique_ptr<Mumps> factors; ///< of the displacements' stand-in, in a flat body
 };
 
 } // namespace

@@ -11,10 +11,10 @@ namespace
 class DirectSolver final : public LinearSolver
 {
 public:
-  void setup(const MPI_Comm comm, const bool symmetric, const LinearSettings&) override
+  void setup(const MPI_Comm comm, const LinearProblem& problem, const LinearSettings&) override
   {
-    mumps.emplace(comm, symmetric);
-    counts_pivots = symmetric;
+    mumps.emplace(comm, problem.is_symmetric);
+    counts_pivots = problem.is_symmetric;
   }
   bool has_inertia() const override { return counts_pivots; }
   LinearReport prepare(const Tangent& tangent) override { return mumps->factorise(tangent.matrix); }

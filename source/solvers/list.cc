@@ -35,29 +35,31 @@ void LinearSettings::declare(dealii::ParameterHandler& prm)
                     Integer(1, 10000));
 }
 
-LinearChoice choose_linear_solver(const LinearSettings& settings, const LinearProblemSize& size)
+LinearChoice choose_linear_solver(const LinearSettings& settings, const LinearProblem& problem)
 {
   constexpr unsigned long long direct_limit = 300000; // doc/scaling.md
-  const std::string count = std::to_string(size.unknowns) + " unknowns";
-  const bool block_works = size.pressures_can_be_kept;
+  const std::string count = std::to_string(problem.unknowns) + " unknowns";
+  const bool block_works = problem.pressures_can_be_kept;
   if (settings.solver == "block" && !block_works)
     throw InputError(
         "section Linear solver, entry 'Solver': 'block' needs element pressures and no "
         "temperature solved for with them; set Discretisation/Formulation = mean "
         "dilatation and a uniform or staggered temperature, or Solver = direct");
-  if (settings.solver == "block" && size.needs_inertia)
+  if (settings.solver == "block" && problem.needs_inertia)
     throw InputError("section Linear solver, entry 'Solver': 'block' does not count unstable "
                      "directions, which Stepping/Continuation = automatic follows; choose direct, "
                      "or Continuation = load");
   if (settings.solver != "automatic")
     return {settings.solver, "Linear solver/Solver says so"};
-  if (size.dimension == 2)
+  if (problem.dimension == 2)
     return {"direct", "in two dimensions factors stay small"};
-  if (size.unknowns <= direct_limit)
+  if (problem.unknowns <= direct_limit)
     return {"direct", count + " are at most " + std::to_string(direct_limit)};
+  if (problem.flatness > LinearProblem::flat)
+    return {"direct", "a body of flat cells has small factors"};
   if (!block_works)
     return {"direct", "block needs element pressures and no temperature solved for with them"};
-  if (size.needs_inertia)
+  if (problem.needs_inertia)
     return {"direct", "a path is followed by its count of unstable directions"};
   return {"block", count + " in three dimensions are more than " + std::to_string(direct_limit)};
 }

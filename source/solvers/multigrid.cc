@@ -20,7 +20,7 @@ void Multigrid::setup(const Matrix& matrix, const unsigned int n_components,
   list.set("aggregation: type", "Uncoupled");
   list.set("aggregation: threshold", 0.);
   list.set("smoother: type", "Chebyshev");
-  list.set("smoother: sweeps", 2); // the degree
+  list.set("smoother: sweeps", 3); // the degree
   list.set("coarse: type", "Amesos-KLU");
   list.set("coarse: max size", 2000);
   if (!null_space.empty()) {

@@ -13,26 +13,32 @@ namespace
 
 constexpr int initialise = -1, finalise = -2, analyse = 1, factorise_job = 2, solve_job = 3;
 
-/// Call @p visit(row, column, value) for every stored entry of this rank, numbered from 0 over all
-/// blocks.
+/// Call @p visit(row, column, value) for every stored entry of this rank.
+template <typename Visitor>
+void for_each_entry(const dealii::TrilinosWrappers::SparseMatrix& matrix, const Visitor& visit)
+{
+  const Epetra_CrsMatrix& stored = matrix.trilinos_matrix();
+  for (int r = 0; r < stored.NumMyRows(); ++r) {
+    int n = 0;
+    int* local_columns = nullptr;
+    double* entries = nullptr;
+    stored.ExtractMyRowView(r, n, entries, local_columns);
+    for (int k = 0; k < n; ++k)
+      visit(stored.GRID(r), stored.GCID(local_columns[k]), entries[k]);
+  }
+}
+
+/// The same, numbered from 0 over all blocks.
 template <typename Visitor>
 void for_each_entry(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix, const Visitor& visit)
 {
-  const auto& row_start = matrix.get_row_indices();
-  const auto& column_start = matrix.get_column_indices();
   for (unsigned int i = 0; i < matrix.n_block_rows(); ++i)
     for (unsigned int j = 0; j < matrix.n_block_cols(); ++j) {
-      const Epetra_CrsMatrix& block = matrix.block(i, j).trilinos_matrix();
-      const int row_offset = row_start.block_start(i), column_offset = column_start.block_start(j);
-      for (int r = 0; r < block.NumMyRows(); ++r) {
-        int n = 0;
-        int* local_columns = nullptr;
-        double* entries = nullptr;
-        block.ExtractMyRowView(r, n, entries, local_columns);
-        const int row = row_offset + block.GRID(r);
-        for (int k = 0; k < n; ++k)
-          visit(row, column_offset + block.GCID(local_columns[k]), entries[k]);
-      }
+      const int row = matrix.get_row_indices().block_start(i),
+                column = matrix.get_column_indices().block_start(j);
+      for_each_entry(matrix.block(i, j), [&](const int r, const int c, const double& value) {
+        visit(row + r, column + c, value);
+      });
     }
 }
 
@@ -69,7 +75,8 @@ void Mumps::run(const int job)
   dmumps_c(&mumps);
 }
 
-void Mumps::collect_pattern(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix)
+template <typename Matrix>
+void Mumps::collect_pattern(const Matrix& matrix)
 {
   rows.clear();
   columns.clear();
@@ -89,7 +96,8 @@ void Mumps::collect_pattern(const dealii::TrilinosWrappers::BlockSparseMatrix& m
   mumps.a_loc = mumps.a = values.data();
 }
 
-LinearReport Mumps::factorise(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix)
+template <typename Matrix>
+LinearReport Mumps::factorise(const Matrix& matrix)
 {
   if (!analysed)
     collect_pattern(matrix);
@@ -123,9 +131,9 @@ LinearReport Mumps::outcome() const
                                    ", INFOG(2) = " + std::to_string(mumps.infog[1])};
 }
 
-void Mumps::collect_layout(const dealii::LinearAlgebra::distributed::BlockVector<double>& vector)
+void Mumps::collect_layout(const dealii::IndexSet& owned)
 {
-  for (const auto index : vector.locally_owned_elements())
+  for (const auto index : owned)
     own_indices.push_back(index);
   layout_known = true; // also on a rank that owns nothing
   const auto all = dealii::Utilities::MPI::gather(comm, own_indices);
@@ -136,10 +144,11 @@ void Mumps::collect_layout(const dealii::LinearAlgebra::distributed::BlockVector
   }
 }
 
-void Mumps::solve(dealii::LinearAlgebra::distributed::BlockVector<double>& vector)
+template <typename Vector>
+void Mumps::solve(Vector& vector)
 {
   if (!layout_known)
-    collect_layout(vector);
+    collect_layout(vector.locally_owned_elements());
   std::vector<double> own(own_indices.size()), gathered(gathered_indices.size());
   for (std::size_t k = 0; k < own.size(); ++k)
     own[k] = vector(own_indices[k]);
@@ -162,5 +171,10 @@ void Mumps::solve(dealii::LinearAlgebra::distributed::BlockVector<double>& vecto
   for (std::size_t k = 0; k < own.size(); ++k)
     vector(own_indices[k]) = own[k];
 }
+
+template LinearReport Mumps::factorise(const dealii::TrilinosWrappers::SparseMatrix&);
+template LinearReport Mumps::factorise(const dealii::TrilinosWrappers::BlockSparseMatrix&);
+template void Mumps::solve(dealii::LinearAlgebra::distributed::Vector<double>&);
+template void Mumps::solve(dealii::LinearAlgebra::distributed::BlockVector<double>&);
 
 } // namespace thelma

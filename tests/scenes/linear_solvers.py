@@ -9,32 +9,47 @@ from pathlib import Path
 
 from scene import program_and_ranks, require, validated
 
-OPTIONS = ["--set", "Mesh/Parameters=L: 20, W: 1, H: 1, n1: 2, n2: 1, n3: 20"]
+CUBIC = ["--set", "Mesh/Parameters=L: 20, W: 1, H: 1, n1: 2, n2: 1, n3: 20"]
 
 
-def curve(program, folder, solver, ranks):
+FLAT = ["--set", "Mesh/Parameters=L: 20, W: 10, H: 1, n1: 4, n2: 2, n3: 4",
+        "--set", "Loading/Target=0.25"]
+
+
+def curve(program, folder, solver, ranks, options):
     """Its rows, and what was modelled."""
-    program.run("benchmarks/bilayer", folder, *OPTIONS, "--set", f"Linear solver/Solver={solver}",
-                ranks=ranks)
+    program.run("benchmarks/bilayer", folder, *options, "--set",
+                f"Linear solver/Solver={solver}", ranks=ranks)
     with open(Path(folder) / "curve.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     return rows, " ".join(json.loads((Path(folder) / "run.json").read_text())["modelled"])
+
+
+def difference(block, direct):
+    """Of the tip over two curves, in lengths of the body."""
+    require(len(block) == len(direct), "the steps differ")
+    return max(abs(float(b[name]) - float(d[name])) / 20
+               for b, d in zip(block, direct) for name in ("tip_u1_mm", "tip_u3_mm"))
 
 
 def main():
     """Compare."""
     program, all_ranks = program_and_ranks(__doc__)
     with tempfile.TemporaryDirectory() as folder:
-        direct, _ = curve(program, f"{folder}/direct", "direct", 1)
-        for ranks in all_ranks:
-            block, modelled = curve(program, f"{folder}/block{ranks}", "block", ranks)
-            require("stable remains unknown" in modelled, modelled)
-            require(len(block) == len(direct), "the steps differ")
-            error = max(abs(float(b[name]) - float(d[name])) / 20
-                        for b, d in zip(block, direct) for name in ("tip_u1_mm", "tip_u3_mm"))
-            validated("bilayer", f"tip over a curve, block solver, {ranks} rank(s)",
-                      "direct solver", error)
-            require(error < 1e-7, f"the curves differ by {error} of the length")
+        for name, options in (("near-cubic", CUBIC), ("flat", FLAT)):
+            direct, _ = curve(program, f"{folder}/direct {name}", "direct", 1, options)
+            for ranks in all_ranks:
+                block, modelled = curve(program, f"{folder}/block {name} {ranks}", "block", ranks,
+                                        options)
+                require("stable remains unknown" in modelled, modelled)
+                error = difference(block, direct)
+                validated("bilayer", f"tip over a curve, {name} cells, block solver, {ranks} "
+                          "rank(s)", "direct solver", error)
+                require(error < 1e-7, f"the curves differ by {error} of the length")
+                most = max(int(row["linear_iterations"]) / int(row["newton_iterations"])
+                           for row in block)
+                print(f"  {name} cells: at most {most:.1f} iterations per Newton step")
+                require(most < 100, f"{most} iterations per Newton step")
 
 
 sys.exit(main())

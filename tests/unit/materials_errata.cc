@@ -239,7 +239,7 @@ TEST_F(Errata, RightAsPrintedStressAndDisplacement)
 /// eqs. 11, 24 and 25 are right as printed; the vector E serves as temperature gradient.
 TEST_F(Errata, RightAsPrintedHeatFlux)
 {
-  const HeatFlux flux = s.t.heat_flux(Kinematics<>(s.F), s.E);
+  const HeatFlux<> flux = s.t.heat_flux(Kinematics<>(s.F), s.E);
   const Tensor3<2>& C = s.C_inv;
   const Tensor3<1>& d = s.CE;
   const double k_J = s.t.k * s.J;

@@ -152,7 +152,7 @@ protected:
   /// eq. 19: conduction and capacity only.
   double printed_tangent(const HeatState& v) const
   {
-    const HeatFlux flux = thermal.heat_flux(Kinematics<>(state.F), state.gradient);
+    const HeatFlux<> flux = thermal.heat_flux(Kinematics<>(state.F), state.gradient);
     double result = N * thermal.c / dt * v.theta - grad_N * (flux.dQ_dgrad * v.gradient);
     for (int J = 0; J < 3; ++J)
       result -= grad_N[J] * contract(flux.dQ_dF[J], v.F);

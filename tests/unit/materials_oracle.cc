@@ -250,7 +250,7 @@ TEST(MaterialsOracle, HeatFlux)
     state.F = random.deformation();
     state.E = random.uniform(0., 100.) * random.direction();
     state.theta = 293.;
-    const HeatFlux ours = thermal.heat_flux(Kinematics<>(state.F), state.E);
+    const HeatFlux<> ours = thermal.heat_flux(Kinematics<>(state.F), state.E);
     const PointState<Ad> ad = seeded(state);
     const Tensor3<1, Ad> Q = heat_flux(thermal.k, ad.F, ad.E);
     Tensor3<1> value;

@@ -10,6 +10,7 @@
 #include <thelma/solvers/continuation.h>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -55,7 +56,8 @@ public:
   const Displacement& response() const override { return nodal_response.block(0); }
 
   /// The eigenvalue of smallest size of the tangent last factorised with all fields but the
-  /// displacement eliminated, and its eigenvector of length 1 in @p mode (theory.md, eq. 45).
+  /// displacement eliminated, and its eigenvector of length 1 in @p mode (theory.md, eq. 45); not a
+  /// number where it is not found.
   double critical_mode(BlockVector& mode);
 
   /// Assemble the tangent at the iterate.
@@ -98,6 +100,12 @@ public:
 
   /// By these negative pivots beyond those of a stable state's tangent.
   long long unstable_directions(long long negative_pivots) const;
+
+  /// Whether linear solves take iterations.
+  bool iterates() const { return solver && solver->iterates(); }
+
+  /// Of cells and of the tangent's entries: the largest share of a rank over the mean.
+  std::map<std::string, double> imbalance() const;
 
   /// Which linear solver serves, and why.
   std::string solver_description() const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <thelma/assembly/cell_places.h>
 #include <thelma/fields/boundary_conditions.h>
 #include <thelma/fields/layout.h>
 
@@ -43,22 +44,20 @@ public:
 
 private:
   void make_pattern(const FieldLayout<dim>& layout);
-  void find_positions(const FieldLayout<dim>& layout);
+  void find_places(const FieldLayout<dim>& layout);
   double* entry(dealii::types::global_dof_index row, dealii::types::global_dof_index column);
-  void add_row(const Cell<dim>& cell, std::size_t i, const int* place, const double* entries);
+  void add_row(const Cell<dim>& cell, std::size_t i, const CellPlaces& place,
+               const double* entries);
   std::vector<bool> free_unknowns(const Cell<dim>& cell) const;
   std::vector<unsigned int> columns(const Cell<dim>& cell, std::size_t i,
                                     const std::vector<bool>& is_free) const;
 
-  static constexpr int skipped = -1, elsewhere = -2;
-
   const dealii::AffineConstraints<double>* constraints = nullptr;
   Coupling coupling;
   dealii::TrilinosWrappers::BlockSparseMatrix tangent;
-  std::vector<double*> block_values;             ///< of the local part of block (i, j)
-  std::vector<double*> fixed_diagonals;          ///< of this rank's unknowns without equation
-  std::vector<std::vector<int>> positions;       ///< [cell][i * n + j], or skipped, elsewhere
-  std::vector<std::vector<unsigned int>> blocks; ///< [cell][i]
+  std::vector<double*> block_values;    ///< of the local part of block (i, j)
+  std::vector<double*> fixed_diagonals; ///< of this rank's unknowns without equation
+  std::vector<CellPlaces> places;       ///< of every own cell
 };
 
 } // namespace thelma

@@ -11,23 +11,37 @@ namespace thelma
 /// What the nodal values @p x of a cell give at one point: the state of plane strain (dim = 2:
 /// F_22 = 1, no field or flux out of plane) or of space.
 template <int dim>
-PointInput point_input(const CellView<dim>& view, const NodalValues<dim>& x,
-                       const Gradients<dim>& gradients)
+PointInput<double> point_input(const CellView<dim>& view, const NodalValues<dim>& x,
+                               const Gradients<dim>& gradients)
 {
-  PointInput input;
+  PointInput<double> input;
   for (unsigned int i = 0; i < 3; ++i)
     input.state.F[i][i] = 1.;
   const unsigned int last = x.n_components - 1;
-  input.state.theta = view.has_temperature ? x.value(last, gradients) : view.theta;
+  input.state.theta = view.has_temperature ? x.value(gradients)[last] : view.theta;
+  const auto gradient = x.gradient(gradients);
   for (int J = 0; J < dim; ++J) {
     for (int i = 0; i < dim; ++i)
-      input.state.F[axis<dim>(i)][axis<dim>(J)] += x.gradient(i, J, gradients);
+      input.state.F[axis<dim>(i)][axis<dim>(J)] += gradient[J][i];
     if (view.cell.has_potential)
-      input.state.E[axis<dim>(J)] = -x.gradient(dim, J, gradients);
+      input.state.E[axis<dim>(J)] = -gradient[J][dim];
     if (view.has_temperature)
-      input.grad_theta[axis<dim>(J)] = x.gradient(last, J, gradients);
+      input.grad_theta[axis<dim>(J)] = gradient[J][last];
   }
   return input;
+}
+
+/// Put the numbers of @p point into @p lane.
+inline void set_lane(PointInput<Lanes>& all, const unsigned int lane,
+                     const PointInput<double>& point)
+{
+  for (unsigned int i = 0; i < 3; ++i) {
+    for (unsigned int J = 0; J < 3; ++J)
+      all.state.F[i][J].set(lane, point.state.F[i][J]);
+    all.state.E[i].set(lane, point.state.E[i]);
+    all.grad_theta[i].set(lane, point.grad_theta[i]);
+  }
+  all.state.theta.set(lane, point.state.theta);
 }
 
 /// The state at one point of a cell, for whatever looks at points without assembling.
@@ -55,18 +69,47 @@ struct CellPoints {
     for (unsigned int q = 0; q < n_points; ++q) {
       gradients[q] = Gradients<dim>(rule.basis(), q, geometry[q]);
       enhance(q, gradients[q]);
-      input[q] = point_input(view, x, gradients[q]);
-      kinematics[q] = Kinematics<>(input[q].state.F);
-      min_det_F = std::min(min_det_F, kinematics[q].J);
+      set_lane(input[q / Lanes::n], q % Lanes::n, point_input(view, x, gradients[q]));
     }
+    for (unsigned int q = n_points; q % Lanes::n != 0; ++q) // lanes that belong to no point
+      set_lane(input[q / Lanes::n], q % Lanes::n, point_input(view, x, gradients[n_points - 1]));
+    for (unsigned int k = 0; k < n_batches(); ++k)
+      kinematics[k] = Kinematics<Lanes>(input[k].state.F);
+    for (unsigned int q = 0; q < n_points; ++q)
+      min_det_F = std::min(min_det_F, J(q));
+  }
+
+  unsigned int n_batches() const { return (n_points + Lanes::n - 1) / Lanes::n; }
+
+  PointInput<double> at(const unsigned int q) const
+  {
+    const PointInput<Lanes>& all = input[q / Lanes::n];
+    const unsigned int lane = q % Lanes::n;
+    PointInput<double> point;
+    for (unsigned int i = 0; i < 3; ++i) {
+      for (unsigned int J = 0; J < 3; ++J)
+        point.state.F[i][J] = all.state.F[i][J][lane];
+      point.state.E[i] = all.state.E[i][lane];
+      point.grad_theta[i] = all.grad_theta[i][lane];
+    }
+    point.state.theta = all.state.theta[lane];
+    return point;
+  }
+  PointState<> state(const unsigned int q) const { return at(q).state; }
+  double theta(const unsigned int q) const { return input[q / Lanes::n].state.theta[q % Lanes::n]; }
+  double J(const unsigned int q) const { return kinematics[q / Lanes::n].J[q % Lanes::n]; }
+  double G(const unsigned int q, const int i, const int J) const
+  {
+    return kinematics[q / Lanes::n].G[i][J][q % Lanes::n];
   }
 
   static constexpr unsigned int max = Basis<dim>::max_points;
   unsigned int n_points;
   const PointGeometry<dim>* geometry;
   std::array<Gradients<dim>, max> gradients;
-  std::array<PointInput, max> input;
-  std::array<Kinematics<>, max> kinematics;
+  static constexpr unsigned int max_batches = (max + Lanes::n - 1) / Lanes::n;
+  std::array<PointInput<Lanes>, max_batches> input; ///< one point in each lane
+  std::array<Kinematics<Lanes>, max_batches> kinematics;
   double min_det_F = std::numeric_limits<double>::max();
 };
 
@@ -76,7 +119,7 @@ Energies integral(const CellPoints<dim>& points, const CellView<dim>& view, cons
 {
   Energies sum;
   for (unsigned int q = 0; q < points.n_points; ++q)
-    sum.add(points.geometry[q].JxW, density(*view.cell.material, points.input[q].state));
+    sum.add(points.geometry[q].JxW, density(*view.cell.material, points.state(q)));
   return sum;
 }
 

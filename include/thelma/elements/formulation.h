@@ -1,7 +1,7 @@
 #pragma once
 
 #include <thelma/base/named_list.h>
-#include <thelma/elements/basis.h>
+#include <thelma/elements/tangent_blocks.h>
 #include <thelma/fields/rates.h>
 
 #include <array>
@@ -35,12 +35,15 @@ struct CellView {
   bool solves_temperature() const { return has_temperature && solved != Solved::deformation; }
 };
 
-/// What a formulation computes for one cell; sized and zeroed by reset().
+/// What a formulation computes for one cell; begun by reset().
 struct CellResult {
-  void reset(std::size_t n_dofs, bool with_tangent)
+  template <int dim>
+  void reset(const CellView<dim>& view, const unsigned int n_nodes, const bool with_tangent)
   {
-    residual.assign(with_tangent ? 0 : n_dofs, 0.);
-    tangent.assign(with_tangent ? n_dofs * n_dofs : 0, 0.);
+    const unsigned int n_c = view.cell.n_components;
+    residual.assign(with_tangent ? 0 : n_nodes * n_c, 0.);
+    if (with_tangent)
+      blocks.reset(n_nodes, n_c, !view.solves_temperature());
     internal.clear();
     elimination.clear();
     internal_error = 0.;
@@ -50,6 +53,7 @@ struct CellResult {
 
   std::vector<double> residual;    ///< R = dPi/dx, [a][c]
   std::vector<double> internal;    ///< residual of the internal equations
+  TangentBlocks blocks;            ///< of dR/dx while it is summed
   std::vector<double> tangent;     ///< dR/dx, row by row, internal unknowns condensed
   std::vector<double> elimination; ///< what condensation and recovery need of this tangent
   double min_det_F;                ///< if not positive, the rest is meaningless

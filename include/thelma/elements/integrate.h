@@ -14,31 +14,36 @@ void integrate_fields(const CellPoints<Fields::dim>& points, const CellView<Fiel
                       const Part& part, const bool with_tangent, CellResult& result)
 {
   const Material& material = *view.cell.material;
-  std::array<PointSystem<Fields>, CellPoints<Fields::dim>::max> systems;
-  for (unsigned int q = 0; q < points.n_points; ++q) {
-    const PointInput& input = points.input[q];
-    const Kinematics<>& kin = points.kinematics[q];
-    systems[q].clear();
-    if constexpr (Part::conducts && Fields::has_temperature)
-      add_heat_flux(material.thermal.heat_flux(kin, input.grad_theta), systems[q]);
+  std::array<PointSystem<Fields>, CellPoints<Fields::dim>::max_batches> systems;
+  for (unsigned int k = 0; k < points.n_batches(); ++k) {
+    const unsigned int q = k * Lanes::n;
+    const PointInput<Lanes>& input = points.input[k];
+    const Kinematics<Lanes>& kin = points.kinematics[k];
+    Lanes weights(0.);
+    for (unsigned int lane = 0; lane < Lanes::n && q + lane < points.n_points; ++lane)
+      weights.set(lane, points.geometry[q + lane].JxW);
+    if constexpr (Fields::has_temperature) {
+      systems[k].clear();
+      if constexpr (Part::conducts)
+        set_heat_flux(material.thermal.heat_flux(kin, input.grad_theta), weights, systems[k]);
+    }
     if constexpr (Fields::has_deformation) {
       if (with_tangent) {
-        SecondDerivatives<> d{};
+        SecondDerivatives<Lanes> d{};
         part.add(material, input.state, kin, q, d);
-        add_moduli(d, systems[q]);
+        set_moduli(d, weights, systems[k]);
       } else {
-        FirstDerivatives<> d{};
+        FirstDerivatives<Lanes> d{};
         part.add(material, input.state, kin, q, d);
-        add_fluxes(d, systems[q]);
+        set_fluxes(d, weights, systems[k]);
       }
     }
-    systems[q].scale(points.geometry[q].JxW, with_tangent);
   }
   const unsigned int n_c = view.cell.n_components;
   const CellComponents components{Fields::has_deformation ? 0 : n_c - 1, n_c};
   if (with_tangent)
     add_tangent(points.gradients.data(), systems.data(), points.n_points, components,
-                result.tangent.data());
+                result.blocks);
   else
     add_residual(points.gradients.data(), systems.data(), points.n_points, components,
                  result.residual.data());

@@ -2,7 +2,8 @@
 
 #include <thelma/materials/material.h>
 
-/// The parts of the energy that a formulation integrates, each by the rule of its choice.
+/// The parts of the energy that a formulation integrates, each by the rule of its choice: what one
+/// adds to the derivatives at point q, or at as many points from q on as the number type has lanes.
 namespace thelma
 {
 
@@ -10,8 +11,8 @@ namespace thelma
 struct WholeEnergy {
   static constexpr bool conducts = true;
 
-  template <typename Derivatives>
-  void add(const Material& material, const PointState<>& state, const Kinematics<>& kin,
+  template <typename Number, typename Derivatives>
+  void add(const Material& material, const PointState<Number>& state, const Kinematics<Number>& kin,
            unsigned int, Derivatives& d) const
   {
     material.evaluate(state, d);
@@ -30,9 +31,9 @@ struct WholeEnergy {
 struct WithoutVolumetric {
   static constexpr bool conducts = true;
 
-  template <typename Derivatives>
-  void add(const Material& material, const PointState<>& state, const Kinematics<>&, unsigned int,
-           Derivatives& d) const
+  template <typename Number, typename Derivatives>
+  void add(const Material& material, const PointState<Number>& state, const Kinematics<Number>&,
+           unsigned int, Derivatives& d) const
   {
     material.evaluate(state, d);
   }

@@ -25,59 +25,45 @@ struct TemperatureOnly {
   static constexpr int temperature = 0, n = 1;
 };
 
-/// The point physics seen by one cell: its n_c components (u_1 .. u_dim, phi, theta) have fluxes
-/// S = [P; D; -Q], so that a cell's residual is R_ac = sum_J S_cJ dN_a/dX_J whatever the fields.
+/// The point physics of some points, one in each lane, seen by their cell: its n_c components (u_1
+/// .. u_dim, phi, theta) have fluxes S = [P; D; -Q], so that a cell's residual is R_ac = sum_J S_cJ
+/// dN_a/dX_J whatever the fields.
 template <typename Fields>
 struct PointSystem {
   static constexpr int dim = Fields::dim, n_c = Fields::n;
 
-  double S[n_c][dim];
-  /// dS_cJ/d(gradient of component d)_L, stored [c][J][L][d]: the inner loop runs over d.
-  double M[n_c][dim][dim][n_c];
+  Lanes S[n_c][dim];
+  /// dS_cJ/d(gradient of component d)_L, stored [c][J][L][d].
+  Lanes M[n_c][dim][dim][n_c];
   /// dS_cJ/dtheta.
-  double m[n_c][dim];
+  Lanes m[n_c][dim];
 
   void clear() { *this = PointSystem(); }
-
-  /// Multiply by the integration weight @p w what will be used.
-  void scale(const double w, const bool with_tangent)
-  {
-    for (auto& row : S)
-      for (double& entry : row)
-        entry *= w;
-    if (with_tangent) {
-      for (auto& cJ : M)
-        for (auto& J : cJ)
-          for (auto& L : J)
-            for (double& entry : L)
-              entry *= w;
-      for (auto& row : m)
-        for (double& entry : row)
-          entry *= w;
-    }
-  }
 };
 
-/// What a cell's nodal values give at one point.
+/// What a cell's nodal values give at a point.
+template <typename Number>
 struct PointInput {
-  PointState<> state;
-  Tensor3<1> grad_theta;
+  PointState<Number> state;
+  Tensor3<1, Number> grad_theta;
 };
 
+/// The fluxes of the laws times the integration weights @p w.
 template <typename Fields>
-void add_fluxes(const FirstDerivatives<>& d, PointSystem<Fields>& system)
+void set_fluxes(const FirstDerivatives<Lanes>& d, const Lanes& w, PointSystem<Fields>& system)
 {
   constexpr int dim = Fields::dim;
   for (int J = 0; J < dim; ++J) {
     for (int i = 0; i < dim; ++i)
-      system.S[i][J] += d.P[axis<dim>(i)][axis<dim>(J)];
+      system.S[i][J] = w * d.P[axis<dim>(i)][axis<dim>(J)];
     if constexpr (Fields::has_potential)
-      system.S[Fields::potential][J] += d.D[axis<dim>(J)];
+      system.S[Fields::potential][J] = w * d.D[axis<dim>(J)];
   }
 }
 
+/// Their derivatives times @p w.
 template <typename Fields>
-void add_moduli(const SecondDerivatives<>& d, PointSystem<Fields>& system)
+void set_moduli(const SecondDerivatives<Lanes>& d, const Lanes& w, PointSystem<Fields>& system)
 {
   constexpr int dim = Fields::dim, phi = Fields::potential;
   for (int J = 0; J < dim; ++J)
@@ -86,36 +72,38 @@ void add_moduli(const SecondDerivatives<>& d, PointSystem<Fields>& system)
       for (int i = 0; i < dim; ++i) {
         const int xi = axis<dim>(i);
         for (int k = 0; k < dim; ++k)
-          system.M[i][J][L][k] += d.dP_dF[xi][xJ][axis<dim>(k)][xL];
+          system.M[i][J][L][k] = w * d.dP_dF[xi][xJ][axis<dim>(k)][xL];
         if constexpr (Fields::has_potential) { // E = -grad phi and dD/dF = -(dP/dE)^T
-          system.M[i][J][L][phi] -= d.dP_dE[xi][xJ][xL];
-          system.M[phi][J][L][i] -= d.dP_dE[xi][xL][xJ];
+          system.M[i][J][L][phi] = -w * d.dP_dE[xi][xJ][xL];
+          system.M[phi][J][L][i] = -w * d.dP_dE[xi][xL][xJ];
         }
       }
       if constexpr (Fields::has_potential)
-        system.M[phi][J][L][phi] -= d.dD_dE[xJ][xL];
+        system.M[phi][J][L][phi] = -w * d.dD_dE[xJ][xL];
     }
-  for (int J = 0; J < dim; ++J) {
-    for (int i = 0; i < dim; ++i)
-      system.m[i][J] += d.dP_dtheta[axis<dim>(i)][axis<dim>(J)];
-    if constexpr (Fields::has_potential)
-      system.m[phi][J] += d.dD_dtheta[axis<dim>(J)];
-  }
+  if constexpr (Fields::has_temperature)
+    for (int J = 0; J < dim; ++J) {
+      for (int i = 0; i < dim; ++i)
+        system.m[i][J] = w * d.dP_dtheta[axis<dim>(i)][axis<dim>(J)];
+      if constexpr (Fields::has_potential)
+        system.m[phi][J] = w * d.dD_dtheta[axis<dim>(J)];
+    }
 }
 
+/// The heat flux and its derivatives times @p w.
 template <typename Fields>
-void add_heat_flux(const HeatFlux& heat, PointSystem<Fields>& system)
+void set_heat_flux(const HeatFlux<Lanes>& heat, const Lanes& w, PointSystem<Fields>& system)
 {
   constexpr int dim = Fields::dim, theta = Fields::temperature;
   for (int J = 0; J < dim; ++J) {
     const int xJ = axis<dim>(J);
-    system.S[theta][J] -= heat.Q[xJ];
+    system.S[theta][J] = -w * heat.Q[xJ];
     for (int L = 0; L < dim; ++L) {
       const int xL = axis<dim>(L);
-      system.M[theta][J][L][theta] -= heat.dQ_dgrad[xJ][xL];
+      system.M[theta][J][L][theta] = -w * heat.dQ_dgrad[xJ][xL];
       if constexpr (Fields::has_deformation)
         for (int k = 0; k < dim; ++k)
-          system.M[theta][J][L][k] -= heat.dQ_dF[xJ][axis<dim>(k)][xL];
+          system.M[theta][J][L][k] = -w * heat.dQ_dF[xJ][axis<dim>(k)][xL];
     }
   }
 }

@@ -66,8 +66,9 @@ private:
                      CellResult& result) const;
   void add_heat(const CellView<dim>& view, const CellPoints<dim>& points, bool with_tangent,
                 CellResult& result) const;
-  void add_product(const double* A, const ModeMatrix& S, const double* B, const CellView<dim>& view,
-                   int c, int d, bool mirrored, CellResult& result) const;
+  void add_product(const double* A, int first, int last, const ModeMatrix& S, const double* B,
+                   int d, CellResult& result) const;
+  void set_constraint(const CellPoints<dim>& points, int c, double* rows) const;
   void add_rows(const Modes& m, double w, const double* g, double* rows) const;
   Modes times(const ModeMatrix& A, const Modes& x) const;
   ModeMatrix invert_mass(const PointGeometry<dim>* geometry) const;

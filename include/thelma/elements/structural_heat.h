@@ -54,10 +54,10 @@ void add_structural_heat(const CellPoints<dim>& points, const CellView<dim>& vie
       {{view.history->x[0], n_nodes, view.cell.n_components},
        {view.history->x[rates.n_past - 1], n_nodes, view.cell.n_components}}};
 
-  alignas(32) std::array<std::array<double, CellPoints<dim>::max * length>, dim + 2> T;
+  alignas(64) std::array<std::array<double, CellPoints<dim>::max * length>, dim + 2> T;
   std::array<const double*, CellPoints<dim>::max> N;
   for (unsigned int q = 0; q < points.n_points; ++q) {
-    const PointState<>& state = points.input[q].state;
+    const PointState<> state = points.state(q);
     const Gradients<dim>& gradients = points.gradients[q];
     const double w = points.geometry[q].JxW, theta = state.theta;
     std::array<PointState<>, 2> before;
@@ -87,11 +87,8 @@ void add_structural_heat(const CellPoints<dim>& points, const CellView<dim>& vie
   }
   if (!with_tangent)
     return;
-  alignas(32) std::array<double, length * length> C;
-  for (int c = view.solves_deformation() ? 0 : heat; c < n_c; ++c) {
-    multiply(stride, points.n_points, N.data(), T[c].data(), n_nodes, C.data());
-    add_block(C.data(), n_nodes, n_c, heat, c, false, result.tangent.data());
-  }
+  for (int c = view.solves_deformation() ? 0 : heat; c < n_c; ++c)
+    result.blocks.add_product(heat, c, points.n_points, N.data(), T[c].data());
 }
 
 /// Rate of entropy of the volumetric energy of a dilatation t, and its derivatives.

@@ -2,8 +2,6 @@
 
 #include <thelma/materials/shear_law.h>
 
-#include <limits>
-
 namespace thelma
 {
 
@@ -60,7 +58,7 @@ private:
   Number stiffening(const Tensor3<2, Number>& F) const
   {
     const Number left = J_m - contract(F, F) + 3.;
-    return left > 0. ? Number(J_m / left) : Number(std::numeric_limits<double>::quiet_NaN());
+    return J_m / positive(left);
   }
 
   double J_m = 100.;

@@ -46,6 +46,8 @@ public:
   virtual Energies energies(const PointState<>& state) const = 0;
   virtual void evaluate(const PointState<>& state, FirstDerivatives<>& out) const = 0;
   virtual void evaluate(const PointState<>& state, SecondDerivatives<>& out) const = 0;
+  virtual void evaluate(const PointState<Lanes>& state, FirstDerivatives<Lanes>& out) const = 0;
+  virtual void evaluate(const PointState<Lanes>& state, SecondDerivatives<Lanes>& out) const = 0;
 
   /// Add to @p out what the material without its volumetric energy has of it.
   virtual void add_entropy_rate(const PointState<>& state, const PointRates& rates,
@@ -136,6 +138,16 @@ public:
   }
 
   void evaluate(const PointState<>& state, SecondDerivatives<>& out) const override
+  {
+    out = second_derivatives(state);
+  }
+
+  void evaluate(const PointState<Lanes>& state, FirstDerivatives<Lanes>& out) const override
+  {
+    out = first_derivatives(state);
+  }
+
+  void evaluate(const PointState<Lanes>& state, SecondDerivatives<Lanes>& out) const override
   {
     out = second_derivatives(state);
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <thelma/base/lanes.h>
+
 #include <deal.II/base/tensor.h>
 
 #include <cmath>
@@ -77,10 +79,11 @@ struct PointRates {
 };
 
 /// Fourier's law: nominal heat flux Q in N/(mm s) and its derivatives.
+template <typename Number = double>
 struct HeatFlux {
-  Tensor3<1> Q;
-  Tensor3<2> dQ_dgrad;
-  Tensor3<3> dQ_dF; ///< dQ_J/dF_kL = [J][k][L]
+  Tensor3<1, Number> Q;
+  Tensor3<2, Number> dQ_dgrad;
+  Tensor3<3, Number> dQ_dF; ///< dQ_J/dF_kL = [J][k][L]
 };
 
 /// J = det F and G = F^{-T}, from which every derivative of the laws is built.

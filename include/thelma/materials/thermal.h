@@ -78,7 +78,23 @@ public:
   }
 
   /// Q = -k J C^{-1} Grad theta: isotropic conduction in the deformed body.
-  HeatFlux heat_flux(const Kinematics<>& kin, const Tensor3<1>& grad_theta) const;
+  template <typename Number>
+  HeatFlux<Number> heat_flux(const Kinematics<Number>& kin,
+                             const Tensor3<1, Number>& grad_theta) const
+  {
+    const Tensor3<2, Number>& G = kin.G;
+    const Tensor3<1, Number> g = G * grad_theta, d = g * G;
+    const Tensor3<2, Number> C_inv = dealii::transpose(G) * G;
+    const Number k_J = k * kin.J;
+    HeatFlux<Number> flux;
+    flux.Q = -k_J * d;
+    flux.dQ_dgrad = -k_J * C_inv;
+    for (unsigned int J = 0; J < 3; ++J)
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int L = 0; L < 3; ++L)
+          flux.dQ_dF[J][i][L] = -k_J * (d[J] * G[i][L] - d[L] * G[i][J] - C_inv[J][L] * g[i]);
+    return flux;
+  }
 
   double theta_0 = 293.; ///< reference temperature, K
   double alpha = 0.;     ///< linear thermal expansion, 1/K

@@ -39,6 +39,7 @@ struct Outcome {
   std::map<std::string, double> seconds_per_phase;
   std::map<std::string, unsigned long long> unknowns;
   unsigned long long cells = 0;
+  std::map<std::string, double> imbalance; ///< largest share of a rank over the mean
   std::vector<std::string> modelled;
   std::vector<std::pair<std::string, double>> final_values; ///< newest row of the curve
 

@@ -83,17 +83,32 @@ struct LinearSettings {
   void declare(dealii::ParameterHandler& prm);
 };
 
+/// What decides between the solvers and what they make ready for.
+struct LinearProblem {
+  /// Cells of this flatness are too flat for multigrid, and a body of them has small factors
+  /// (doc/scaling.md).
+  static constexpr double flat = 5.;
+
+  unsigned int dimension = 3;
+  unsigned long long unknowns = 0;
+  double flatness = 1.; ///< longest over shortest edge of a cell, on average
+  bool is_symmetric = true, pressures_can_be_kept = false, needs_inertia = false;
+};
+
 /// Solves with one tangent after the other. A new solver is one file and one line in list.cc.
 class LinearSolver
 {
 public:
   virtual ~LinearSolver() = default;
 
-  /// The tangents are @p symmetric or not.
-  virtual void setup(MPI_Comm comm, bool symmetric, const LinearSettings& settings) = 0;
+  virtual void setup(MPI_Comm comm, const LinearProblem& problem,
+                     const LinearSettings& settings) = 0;
 
   /// Whether it wants the pressures of the cells as unknowns, not condensed.
   virtual bool keeps_pressures() const { return false; }
+
+  /// Whether LinearReport::iterations is.
+  virtual bool iterates() const { return false; }
 
   /// Whether LinearReport::negative_pivots is known.
   virtual bool has_inertia() const { return false; }
@@ -115,13 +130,6 @@ struct LinearChoice {
   std::string solver, reason;
 };
 
-/// What decides between the solvers.
-struct LinearProblemSize {
-  unsigned int dimension;
-  unsigned long long unknowns;
-  bool pressures_can_be_kept, needs_inertia;
-};
-
-LinearChoice choose_linear_solver(const LinearSettings& settings, const LinearProblemSize& size);
+LinearChoice choose_linear_solver(const LinearSettings& settings, const LinearProblem& problem);
 
 } // namespace thelma

@@ -26,15 +26,20 @@ public:
   Mumps(const Mumps&) = delete;
   Mumps& operator=(const Mumps&) = delete;
 
-  /// Factorise; the pattern and the place of the entries are those of the first call.
-  LinearReport factorise(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix);
+  /// Factorise a SparseMatrix or a BlockSparseMatrix; the pattern and the place of the entries are
+  /// those of the first call.
+  template <typename Matrix>
+  LinearReport factorise(const Matrix& matrix);
 
-  /// Replace the owned entries of @p vector by the solution with them as right-hand side.
-  void solve(dealii::LinearAlgebra::distributed::BlockVector<double>& vector);
+  /// Replace the owned entries of a Vector or BlockVector by the solution with them as right-hand
+  /// side.
+  template <typename Vector>
+  void solve(Vector& vector);
 
 private:
-  void collect_pattern(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix);
-  void collect_layout(const dealii::LinearAlgebra::distributed::BlockVector<double>& vector);
+  template <typename Matrix>
+  void collect_pattern(const Matrix& matrix);
+  void collect_layout(const dealii::IndexSet& owned);
   void run(int job);
   LinearReport outcome() const;
 

@@ -1,0 +1,60 @@
+#include <thelma/elements/product.h>
+#include <thelma/elements/tangent_blocks.h>
+
+#include <algorithm>
+
+namespace thelma
+{
+
+void TangentBlocks::reset(const unsigned int nodes, const unsigned int components,
+                          const bool is_symmetric)
+{
+  n_nodes = nodes;
+  stride = padded(nodes);
+  n_components = components;
+  symmetric = is_symmetric;
+  filled.fill(false);
+  values.resize_fast(components * components * stride * stride);
+}
+
+void TangentBlocks::add_product(const unsigned int c, const unsigned int d, const unsigned int n_k,
+                                const double* const* A, const double* B)
+{
+  bool& add = filled[c * n_components + d];
+  product({n_k, stride, A, B, begin(c, d), add});
+  add = true;
+}
+
+double& TangentBlocks::entry(const unsigned int c, const unsigned int d, const unsigned int a,
+                             const unsigned int b)
+{
+  bool& is_filled = filled[c * n_components + d];
+  if (!is_filled)
+    std::fill_n(begin(c, d), stride * stride, 0.);
+  is_filled = true;
+  return begin(c, d)[a * stride + b];
+}
+
+void TangentBlocks::write(std::vector<double>& tangent) const
+{
+  const std::size_t n = n_nodes * n_components;
+  tangent.resize(n * n);
+  double* row = tangent.data();
+  for (unsigned int a = 0; a < n_nodes; ++a)
+    for (unsigned int c = 0; c < n_components; ++c, row += n)
+      write_row(c, a, row);
+}
+
+void TangentBlocks::write_row(const unsigned int c, const unsigned int a, double* row) const
+{
+  for (unsigned int d = 0; d < n_components; ++d) {
+    const bool mirrored = symmetric && d < c;
+    const unsigned int block = mirrored ? d * n_components + c : c * n_components + d;
+    const double* entries = values.data() + block * stride * stride + (mirrored ? a : a * stride);
+    const unsigned int step = mirrored ? stride : 1;
+    for (unsigned int b = 0; b < n_nodes; ++b)
+      row[b * n_components + d] = filled[block] ? entries[b * step] : 0.;
+  }
+}
+
+} // namespace thelma
