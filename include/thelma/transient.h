@@ -61,6 +61,13 @@ public:
   /// How time is treated, and which coupling is cheaper, and why.
   std::vector<std::string> summary() const;
 
+  /// How far it has come.
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& stepper;
+  }
+
 private:
   void prescribe(double time);
   double voltage_at(double time) const { return voltage * (*voltage_amplitude)(time); }

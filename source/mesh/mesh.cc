@@ -9,6 +9,8 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
+#include <boost/crc.hpp>
+
 #include <algorithm>
 
 namespace thelma
@@ -252,6 +254,20 @@ void Mesh<dim>::find_entities(const CoarseMesh& coarse)
         for (const std::string& name : found->second)
           surfaces[name].push_back({cell, mask});
     }
+}
+
+template <int dim>
+std::uint32_t Mesh<dim>::fingerprint() const
+{
+  boost::crc_32_type sum;
+  for (const dealii::Point<dim>& vertex : tria.get_vertices())
+    sum.process_bytes(&vertex[0], dim * sizeof(double));
+  for (const auto& cell : tria.active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices()) {
+      const unsigned int index = cell->vertex_index(v);
+      sum.process_bytes(&index, sizeof(index));
+    }
+  return sum.checksum();
 }
 
 template <int dim>

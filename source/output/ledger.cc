@@ -3,6 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cstring>
 #include <optional>
 
 namespace thelma
@@ -39,9 +40,10 @@ public:
 
   std::vector<double> evaluate(const Scene<dim>& scene) override
   {
+    auto& [start, past, work, heat, entropy, produced] = sums;
     const Stock now = stock(scene);
     if (!scene.state.rates) // time has not begun
-      past = start = now, work = heat = entropy = produced = 0.;
+      sums = {now, now, 0., 0., 0., 0.};
     const double dt = scene.state.time - past.time;
     // What jumps at time 0 has no rate before the first step.
     const double before = past.time > 0. ? 0.5 : 0., after = 1. - before;
@@ -67,6 +69,18 @@ public:
             e.entropy - start.stored.entropy - entropy - produced};
   }
 
+  std::vector<double> memory() const override
+  {
+    std::vector<double> numbers(sizeof(Sums) / sizeof(double));
+    std::memcpy(numbers.data(), &sums, sizeof(Sums));
+    return numbers;
+  }
+
+  void remember(const std::vector<double>& numbers) override
+  {
+    std::memcpy(&sums, numbers.data(), sizeof(Sums));
+  }
+
 private:
   struct Stock {
     Energies stored;
@@ -74,15 +88,21 @@ private:
     double time, voltage, charge, load_work, production; ///< s, kV, uC, mJ, mW/K
   };
 
+  /// What has come together since the start.
+  struct Sums {
+    Stock start, past;
+    double work, heat, entropy, produced;
+  };
+
   Stock stock(const Scene<dim>& scene) const
   {
     Energies own = scene.system.energies();
     if (scene.layout.has(Field::temperature))
       own.add(1., scene.heat.stored(scene.state, theta_0));
-    const std::vector<double> sums{own.elastic, own.electric,  own.thermal,
-                                   own.entropy, charge(scene), production(scene)};
-    std::vector<double> total(sums.size());
-    dealii::Utilities::MPI::sum(sums, scene.layout.communicator(), total);
+    const std::vector<double> parts{own.elastic, own.electric,  own.thermal,
+                                    own.entropy, charge(scene), production(scene)};
+    std::vector<double> total(parts.size());
+    dealii::Utilities::MPI::sum(parts, scene.layout.communicator(), total);
     return {{total[0], total[1], total[2], total[3]},
             scene.state.inflow,
             scene.state.time,
@@ -121,8 +141,7 @@ private:
 
   std::optional<Integration<dim>> rule;
   double theta_0 = 293.;
-  Stock start{}, past{};
-  double work = 0., heat = 0., entropy = 0., produced = 0.;
+  Sums sums{};
 };
 
 } // namespace

@@ -17,7 +17,7 @@ void Multigrid::setup(const Matrix& matrix, const unsigned int n_components,
   ML_Epetra::SetDefaults("SA", list);
   list.set("ML output", 0);
   list.set("PDE equations", static_cast<int>(n_components));
-  list.set("aggregation: type", "Uncoupled");
+  list.set("aggregation: type", "MIS");
   list.set("aggregation: threshold", 0.);
   list.set("smoother: type", "Chebyshev");
   list.set("smoother: sweeps", 3); // the degree

@@ -31,6 +31,12 @@ struct Levels {
            : kind == Stage::Kind::force  ? force
                                          : motion;
   }
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& voltage& charge& force& motion;
+  }
 };
 
 /// What the load factor means: a voltage in kV, a charge in uC or a dimensionless nominal field
