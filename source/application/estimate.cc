@@ -77,7 +77,7 @@ Outcome run_with_estimate(const MPI_Comm comm, const CommandLine& line, std::ost
     const Section section(prm, {"Discretisation"});
     prm.add_parameter("Degree", degree);
   });
-  const bool was_finished = first.is_finished();
+  const bool was_finished = first.earlier_end().has_value();
   const Outcome given = first.run(comm, console);
   if (given.code == ExitCode::not_converged || given.code == ExitCode::stopped)
     return given;

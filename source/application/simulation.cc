@@ -74,22 +74,23 @@ ParameterFile SingleRun::scene() const
   return ParameterFile(file, overrides);
 }
 
-bool SingleRun::is_finished() const
+std::optional<Outcome> SingleRun::earlier_end() const
 {
+  if (!restarts)
+    return std::nullopt;
   const std::optional<Outcome> known = read_run_report(folder + "/run.json");
-  return restarts && known && known->is_lasting();
+  return known && known->is_lasting() ? known : std::nullopt;
 }
 
 Outcome SingleRun::run(const MPI_Comm comm, std::ostream& console) const
 {
-  if (!restarts)
-    return run_scene(comm, scene(), folder, console, Begin::anew, arguments);
-  if (!is_finished())
-    return run_scene(comm, scene(), folder, console, Begin::resumed, arguments);
+  const std::optional<Outcome> known = earlier_end();
+  if (!known)
+    return run_scene(comm, scene(), folder, console, restarts ? Begin::resumed : Begin::anew,
+                     arguments);
   on_rank_0(comm, [&]() { Checkpoints(folder).remove(); }); // if killed just before that
-  const Outcome known = *read_run_report(folder + "/run.json");
-  console << folder << " is finished: " << known.summary() << "\n";
-  return known;
+  console << folder << " is finished: " << known->summary() << "\n";
+  return *known;
 }
 
 bool is_finished(const ParameterFile& file, const std::string& folder)

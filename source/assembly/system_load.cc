@@ -78,7 +78,6 @@ double System<dim>::critical_mode(BlockVector& mode)
     work = 0.;
     work.block(0).copy_locally_owned_data_from(vector);
     solve_tangent(work, no_charge);
-    conditions.constraints().set_zero(work);
     vector.copy_locally_owned_data_from(work.block(0));
   };
   const std::optional<Eigenpair> smallest = smallest_eigenpair(solve, mode.block(0));

@@ -7,6 +7,21 @@
 
 namespace thelma
 {
+namespace
+{
+
+/// On rank 0 what all ranks have, rank after rank; elsewhere nothing.
+template <typename Value>
+std::vector<Value> joined(const MPI_Comm comm, const std::vector<Value>& own)
+{
+  std::vector<Value> all;
+  for (const std::vector<Value>& part : dealii::Utilities::MPI::gather(comm, own))
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+} // namespace
+
 template <int dim>
 MeshOrder<dim>::MeshOrder(const FieldLayout<dim>& layout) : layout(layout)
 {
@@ -27,23 +42,8 @@ MeshOrder<dim>::MeshOrder(const FieldLayout<dim>& layout) : layout(layout)
       indices.push_back(index);
       unknowns.own.push_back(place[index]);
     }
-  gather(unknowns);
-  gather(cells);
-}
-
-template <int dim>
-void MeshOrder<dim>::gather(Places& places) const
-{
-  const MPI_Comm comm = layout.communicator();
-  const int count = static_cast<int>(places.own.size());
-  places.counts = dealii::Utilities::MPI::gather(comm, count);
-  std::vector<int> offsets(places.counts.size(), 0);
-  for (std::size_t r = 1; r < offsets.size(); ++r)
-    offsets[r] = offsets[r - 1] + places.counts[r - 1];
-  if (!offsets.empty())
-    places.all.resize(offsets.back() + places.counts.back());
-  MPI_Gatherv(places.own.data(), count, MPI_UINT64_T, places.all.data(), places.counts.data(),
-              offsets.data(), MPI_UINT64_T, 0, comm);
+  for (Places* places : {&unknowns, &cells})
+    places->all = joined(layout.communicator(), places->own);
 }
 
 /// Equally many values for each of the places.
@@ -51,19 +51,9 @@ template <int dim>
 std::vector<double> MeshOrder<dim>::sorted(const Places& places,
                                            const std::vector<double>& own) const
 {
-  const MPI_Comm comm = layout.communicator();
-  const std::size_t n = dealii::Utilities::MPI::max(
-      places.own.empty() ? std::size_t(0) : own.size() / places.own.size(), comm);
-  std::vector<int> counts, offsets;
-  int total = 0;
-  for (const int count : places.counts) {
-    counts.push_back(count * static_cast<int>(n));
-    offsets.push_back(total);
-    total += counts.back();
-  }
-  std::vector<double> gathered(total), result(total);
-  MPI_Gatherv(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, gathered.data(), counts.data(),
-              offsets.data(), MPI_DOUBLE, 0, comm);
+  const std::vector<double> gathered = joined(layout.communicator(), own);
+  const std::size_t n = places.all.empty() ? 0 : gathered.size() / places.all.size();
+  std::vector<double> result(gathered.size());
   for (std::size_t k = 0; k < places.all.size(); ++k)
     std::copy_n(gathered.begin() + k * n, n, result.begin() + places.all[k] * n);
   return result;

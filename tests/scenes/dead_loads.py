@@ -9,7 +9,7 @@ from pathlib import Path
 
 from scipy.optimize import fsolve
 
-from scene import program_and_ranks, require, validated
+from scene import largest_error, program_and_ranks, require, validated
 import planar_exact
 
 AREA = 5.0  # mm^2 of the film's loaded face
@@ -38,10 +38,13 @@ def check_film(program, folder, ranks):
     """Every row, first of the force, then of the voltage."""
     curve = program.run("verification/dead_load", folder, ranks=ranks).curve(
         "load", "e", "lambda_1", "lambda_3")
-    material, worst = planar_exact.Material(), 0.0
-    for load, e, l_1, l_3 in zip(*(curve[name] for name in ("load", "e", "lambda_1", "lambda_3"))):
-        exact = stretches(material, 0.4 * min(load, 1) / AREA, material.field(e, 293))
-        worst = max(worst, abs(l_1 - exact[0]), abs(l_3 - exact[2]))
+    material = planar_exact.Material()
+
+    def exact(row):
+        return stretches(material, 0.4 * min(row["load"], 1) / AREA,
+                         material.field(row["e"], 293))[::2]
+
+    worst = largest_error(curve, ("lambda_1", "lambda_3"), exact)
     print(f"{ranks} rank(s): {len(curve['e'])} states of the film under weight and voltage up to "
           f"lambda_1 = {curve['lambda_1'][-1]:.5f}, largest error {worst:.1e}")
     validated("dead_load", "lambda_1, lambda_3 of every state", "exact, homogeneous", worst)

@@ -44,6 +44,13 @@ def validated(scene, quantity, reference, error):
     print(f"VALIDATED | {scene} | {quantity} | {reference} | {abs(error):.1e}")
 
 
+def largest_error(curve, names, exact):
+    """The largest difference of the named columns from exact(row), a tuple of their values, in all
+    rows of a curve."""
+    rows = [dict(zip(curve, values)) for values in zip(*curve.values())]
+    return max(abs(row[name] - value) for row in rows for name, value in zip(names, exact(row)))
+
+
 def require(condition, sentence):
     """Ends the test with the sentence unless the condition holds."""
     if not condition:

@@ -4,6 +4,7 @@
 #include <thelma/output/outcome.h>
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,8 @@ struct SingleRun {
   /// A run that restarts has the scene with which it began.
   ParameterFile scene() const;
 
-  /// Whether it restarts but has ended already.
-  bool is_finished() const;
+  /// How it ended, if it restarts but has ended already.
+  std::optional<Outcome> earlier_end() const;
 
   /// One that restarts but is finished is not run again.
   Outcome run(MPI_Comm comm, std::ostream& console) const;

@@ -31,11 +31,9 @@ private:
   /// Places in the order, of as many things.
   struct Places {
     std::vector<std::uint64_t> own, all; ///< all: on rank 0, rank after rank
-    std::vector<int> counts;             ///< of the ranks, on rank 0
     std::uint64_t total = 0;
   };
 
-  void gather(Places& places) const;
   std::vector<double> sorted(const Places& places, const std::vector<double>& own) const;
 
   const FieldLayout<dim>& layout;
