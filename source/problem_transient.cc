@@ -19,7 +19,7 @@ void Problem<dim>::set_uniform_temperature(const double value)
 template <int dim>
 void Problem<dim>::evolve()
 {
-  transient.start();
+  transient.start(system);
   while (!transient.finished()) {
     const NewtonReport report = transient.step(predictor, newton, [&]() { return solve(); });
     outcome.effort.add(report);

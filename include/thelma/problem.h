@@ -96,6 +96,7 @@ private:
   Predictor<dim> predictor;
   Loading loading;
   DeadLoads<dim> dead_loads;
+  FollowerPressure<dim> pressure;
   Newton newton;
   Stepper stepper;
   PathFollowing<dim> path_following;

@@ -37,7 +37,7 @@ public:
   void setup(const System<dim>& deformation, double voltage, double theta);
 
   /// Begin at time 0 with the iterate.
-  void start();
+  void start(const System<dim>& deformation);
 
   bool finished() const { return stepper.finished(); }
   bool exhausted() const { return stepper.exhausted(); }

@@ -98,10 +98,12 @@ void Mesh<dim>::declare(dealii::ParameterHandler& prm)
   prm.add_parameter("Refinements", refinements,
                     "How often every cell is halved in each direction after meshing.",
                     Integer(0, 20));
-  prm.add_parameter("Curved", curved,
-                    "Where edges between vertices are arcs: `nowhere`, or all of them `around x2`, "
-                    "the axis of a tube.",
-                    Selection("nowhere|around x2"));
+  prm.add_parameter(
+      "Curved", curved,
+      "Where edges between vertices are arcs: `nowhere`, or all of them `around x2`, "
+      "the axis of a tube, or `around the origin`, the centre of a sphere. Cells that "
+      "touch it keep straight edges.",
+      Selection("nowhere|around x2|around the origin"));
   add_quantity(prm, "Imperfection", imperfection,
                "Amplitude of the displacement of the vertices before the calculation starts, so "
                "that the body leaves an unstable straight path.",
@@ -157,13 +159,29 @@ void Mesh<dim>::create_triangulation(const CoarseMesh& coarse)
                      " mm turns a cell inside out; choose a smaller one or a smoother shape");
   }
   tria.create_triangulation(vertices, cells, dealii::SubCellData());
-  if (is_curved()) {
-    tria.set_all_manifold_ids(0);
-    if constexpr (dim == 2)
-      tria.set_manifold(0, dealii::PolarManifold<dim>());
-    else
-      tria.set_manifold(0, dealii::CylindricalManifold<dim>(1));
-  }
+  if (is_curved())
+    curve();
+}
+
+template <int dim>
+void Mesh<dim>::curve()
+{
+  tria.set_all_manifold_ids(0);
+  const bool is_axis = dim == 3 && curved == "around x2";
+  for (const auto& cell : tria.active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices()) {
+      dealii::Point<dim> arm = cell->vertex(v);
+      if (is_axis)
+        arm[1] = 0.;
+      if (arm.norm() < 1e-9 * cell->diameter())
+        cell->set_all_manifold_ids(dealii::numbers::flat_manifold_id);
+    }
+  if constexpr (dim == 2)
+    tria.set_manifold(0, dealii::PolarManifold<dim>());
+  else if (is_axis)
+    tria.set_manifold(0, dealii::CylindricalManifold<dim>(1));
+  else
+    tria.set_manifold(0, dealii::SphericalManifold<dim>());
 }
 
 template <int dim>

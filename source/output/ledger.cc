@@ -41,7 +41,7 @@ public:
   {
     const Stock now = stock(scene);
     if (!scene.state.rates) // time has not begun
-      past = start = now, work = heat = entropy = produced = 0.;
+      begin(scene, now);
     const double dt = scene.state.time - past.time;
     // What jumps at time 0 has no rate before the first step.
     const double before = past.time > 0. ? 0.5 : 0., after = 1. - before;
@@ -49,11 +49,11 @@ public:
     heat += dt * (before * past.inflow.heat + after * now.inflow.heat);
     entropy += dt * (before * past.inflow.entropy + after * now.inflow.entropy);
     produced += dt * (before * past.production + after * now.production);
+    loads += load_work(scene);
     past = now;
     const Energies& e = now.stored;
     const double change = e.elastic + e.electric + e.thermal -
                           (start.stored.elastic + start.stored.electric + start.stored.thermal);
-    const double loads = now.load_work - start.load_work;
     return {e.elastic,
             e.electric,
             e.thermal,
@@ -71,7 +71,7 @@ private:
   struct Stock {
     Energies stored;
     HeatInflow inflow;
-    double time, voltage, charge, load_work, production; ///< s, kV, uC, mJ, mW/K
+    double time, voltage, charge, production; ///< s, kV, uC, mW/K
   };
 
   Stock stock(const Scene<dim>& scene) const
@@ -88,8 +88,30 @@ private:
             scene.state.time,
             scene.state.voltage,
             total[4],
-            scene.system.load_work(),
             total[5]};
+  }
+
+  void begin(const Scene<dim>& scene, const Stock& now)
+  {
+    past = start = now;
+    work = loads = heat = entropy = produced = 0.;
+    load_work(scene);
+  }
+
+  /// On the way from the last state, in mJ.
+  double load_work(const Scene<dim>& scene)
+  {
+    BlockVector x = scene.state.x, forces = scene.system.present_loads();
+    x.zero_out_ghost_values();
+    double done = 0.;
+    if (past_x.size() > 0) {
+      BlockVector way = x;
+      way -= past_x;
+      done = 0.5 * (forces * way + past_forces * way);
+    }
+    past_x = x;
+    past_forces = forces;
+    return done;
   }
 
   static double charge(const Scene<dim>& scene)
@@ -122,7 +144,8 @@ private:
   std::optional<Integration<dim>> rule;
   double theta_0 = 293.;
   Stock start{}, past{};
-  double work = 0., heat = 0., entropy = 0., produced = 0.;
+  BlockVector past_x, past_forces;
+  double work = 0., loads = 0., heat = 0., entropy = 0., produced = 0.;
 };
 
 } // namespace

@@ -61,6 +61,7 @@ public:
 
 private:
   void create_triangulation(const CoarseMesh& coarse);
+  void curve();
   void displace(std::vector<dealii::Point<dim>>& vertices) const;
   void check_shapes(const std::vector<dealii::Point<dim>>& vertices,
                     const std::vector<dealii::CellData<dim>>& cells, const std::string& complaint);

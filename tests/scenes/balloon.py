@@ -1,0 +1,88 @@
+"""The inflated balloon against its radial boundary value problem (scripts/balloon_exact.py).
+
+    balloon.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
+"""
+
+import math
+import tempfile
+from pathlib import Path
+
+from scene import program_and_ranks, require, validated
+import balloon_exact
+
+PRESSURE, TARGET = 0.004, 15.0  # MPa, kV of prm/balloon.prm
+COLUMNS = ("load", "event", "voltage_kV", "tip_u1_mm", "centre_u1_mm", "enclosed_volume_mm3",
+           "unstable_directions")
+
+
+def errors(curve, row):
+    """Relative errors of the inner radius, the outer one and the enclosed volume."""
+    pressure = PRESSURE * min(curve["load"][row], 1)
+    exact = balloon_exact.Balloon().at_pressure(pressure, curve["voltage_kV"][row], 9.99, 13.3)
+    return ((10 + curve["tip_u1_mm"][row]) / exact.inner - 1,
+            (11 + curve["centre_u1_mm"][row]) / exact.outer - 1,
+            curve["enclosed_volume_mm3"][row] / (exact.volume / 8) - 1)
+
+
+def check_states(program, folder, ranks):
+    """Radii and volume after both stages, on two meshes."""
+    found = []
+    for n in (2, 4) if ranks == 1 else (2,):
+        case = program.run("balloon", folder, "--set", f"Mesh/Parameters=R: 10, H: 1, n: {n}, nr: 1",
+                           ranks=ranks)
+        curve = case.curve(*COLUMNS)
+        inflated, driven = errors(curve, list(curve["load"]).index(1)), errors(curve, -1)
+        found.append([max(map(abs, inflated)), max(map(abs, driven))])
+        print(f"{ranks} rank(s), 3 x {n} x {n} cells: radii and volume are {inflated[0]:.1e}, "
+              f"{inflated[1]:.1e}, {inflated[2]:.1e} off at 4 kPa, {driven[0]:.1e}, {driven[1]:.1e}, "
+              f"{driven[2]:.1e} with 15 kV")
+        for state, off in (("4 kPa", inflated), ("4 kPa and 15 kV", driven)):
+            for quantity, error in (("radii", max(map(abs, off[:2]))),
+                                    ("enclosed volume", off[2])):
+                validated("balloon", f"{quantity} at {state}, 3 x {n} x {n} cells",
+                          "radial boundary value problem", error)
+        require(not any(curve["unstable_directions"]), "a stable balloon is called unstable")
+    require(max(found[0]) < 2e-4, f"12 cells are off by {max(found[0])}")
+    for coarse, fine in zip(found[0], found[-1]) if ranks == 1 else ():
+        require(math.log2(coarse / fine) > 3.5, f"from {coarse} to {fine}: no convergence")
+
+
+def check_maximum(program, folder, ranks):
+    """Along the arc length through the largest pressure: of a neo-Hookean wall the only one, of
+    Gent's with J_m = 20 followed by a smallest."""
+    for law, J_m, until in (("neo-Hookean", math.inf, 2000), ("Gent", 20.0, 5000)):
+        sets = {"Loads/Pressure": "inner: 10 kPa", "Loading/Stages": "pressure 1",
+                "Loading/Until": f"enclosed_volume_mm3: {until}",
+                "Stepping/Continuation": "automatic", "Regions/Passive": "wall",
+                "Electrodes/Potential": "", "Materials/elastomer/Elastic law": law,
+                "Expectations/Final values": "", "Output/Observables": "tip, centre, enclosed_volume"}
+        if law == "Gent":
+            sets["Materials/elastomer/Gent limit"] = f"{J_m}"
+        words = [word for entry in sets.items() for word in ("--set", "=".join(entry))]
+        curve = program.run("balloon", folder, *words, ranks=ranks).curve(*COLUMNS)
+        balloon = balloon_exact.Balloon(J_m=J_m)
+        worst = 0.0
+        for load, tip in list(zip(curve["load"], curve["tip_u1_mm"]))[1::ranks * ranks]:
+            worst = max(worst, abs(0.01 * load / balloon.at_radius(10 + tip).pressure - 1))
+        rows = [row for row, event in enumerate(curve["event"]) if event == "limit point"]
+        exact = balloon.limit_point(0, 12, 17)
+        largest = 0.01 * curve["load"][rows[0]]
+        print(f"{ranks} rank(s), {law}: {len(curve['load'])} states, largest error of the pressure "
+              f"{worst:.1e}; limit points {[0.01 * curve['load'][row] for row in rows]} MPa, exact "
+              f"{exact.pressure:.7f}")
+        validated("balloon", f"largest pressure, {law}", "radial boundary value problem",
+                  largest / exact.pressure - 1)
+        validated("balloon", f"pressure of every state on both branches, {law}",
+                  "radial boundary value problem", worst)
+        require(abs(largest / exact.pressure - 1) < 1e-4 and worst < 5e-4, "not the exact pressure")
+
+
+def main():
+    program, all_ranks = program_and_ranks(__doc__)
+    for ranks in all_ranks:
+        with tempfile.TemporaryDirectory() as folder:
+            check_states(program, Path(folder) / "states", ranks)
+            check_maximum(program, Path(folder) / "maximum", ranks)
+
+
+main()
