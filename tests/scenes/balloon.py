@@ -77,12 +77,41 @@ def check_maximum(program, folder, ranks):
         require(abs(largest / exact.pressure - 1) < 1e-4 and worst < 5e-4, "not the exact pressure")
 
 
+def check_ledger(program, folder):
+    """The inflated balloon while it is warmed from outside: the pressure does p dV, and no energy is
+    missing, to the second order of BDF2."""
+    missing = []
+    for steps in (40, 80):
+        sets = {"Loading/Stages": "pressure 1", "Electrodes/Potential": "", "Regions/Passive": "wall",
+                "Temperature/Model": "transient", "Temperature/Fixed": "outer: 313",
+                "Materials/elastomer/Thermal expansion": "1.8e-4", "Discretisation/Degree": "1",
+                "Time/End": "4", "Time/Initial step": f"{4 / steps}", "Time/Tolerance": "0",
+                "Time/Structural heat": "entropy", "Time/Wall amplitude": "sin(pi*t/8)^2",
+                "Output/Observables": "tip, centre, enclosed_volume, ledger",
+                "Expectations/Final values": "", "Output/Fields": "none"}
+        words = [word for entry in sets.items() for word in ("--set", "=".join(entry))]
+        curve = program.run("balloon", folder, *words).curve(
+            "time_s", "enclosed_volume_mm3", "ledger_energy_missing_mJ", "ledger_load_work_mJ")
+        missing.append(abs(curve["ledger_energy_missing_mJ"][-1]))
+        start = list(curve["time_s"] > 0).index(True) - 1
+        volumes = curve["enclosed_volume_mm3"]
+        work = PRESSURE * (volumes[-1] - volumes[start])
+        off = curve["ledger_load_work_mJ"][-1] / work - 1
+    order = math.log2(missing[0] / missing[1])
+    print(f"the pressure does {work:.5f} mJ, the ledger says {off:.1e} more; missing "
+          f"{missing[0]:.3f}, {missing[1]:.3f} mJ, order {order:.2f}")
+    validated("balloon", "work of the pressure in the ledger", "p dV", off)
+    require(abs(off) < 1e-6 and order > 1.8, "the ledger does not add up")
+
+
 def main():
     program, all_ranks = program_and_ranks(__doc__)
     for ranks in all_ranks:
         with tempfile.TemporaryDirectory() as folder:
             check_states(program, Path(folder) / "states", ranks)
             check_maximum(program, Path(folder) / "maximum", ranks)
+    with tempfile.TemporaryDirectory() as folder:
+        check_ledger(program, Path(folder))
 
 
 main()
