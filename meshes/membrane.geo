@@ -1,59 +1,68 @@
-// A quarter of a circular membrane around the x2 axis, radius B, and half of its thickness H, in mm; the
-// electrode covers the radius A. Cells: a square of n x n around the axis, then n_a rings to the
-// electrode's edge and n_b to the frame, n2 through the half thickness. Region: membrane. Surfaces:
-// middle (x2 = 0, the middle plane), electrode (x2 = H/2, radius < A), frame (radius B), x1_min
-// (x1 = 0), x3_min. Lines: edge (of the electrode, radius A, on the x1 axis, through the thickness).
+// A quarter, x1 > 0 and x2 > 0, of a round film in a frame, radius R and thickness h in mm, with an
+// electrode of radius Re in its middle. n cells along an eighth of a circle, nr from the square in the
+// middle to the edge of the electrode, nR from there to the frame, n3 through the thickness; straight
+// edges. Regions: active (under the electrode), passive. Surfaces: bottom (x3 = 0), top_active,
+// bottom_active, frame, x1_min, x2_min. Points at x3 = 0: edge (the electrode's, on the x1 axis).
 DefineConstant[
-  A = {4, Name "A"}, B = {12, Name "B"}, H = {0.5, Name "H"},
-  n = {3, Name "n"}, n_a = {2, Name "na"}, n_b = {5, Name "nb"}, n2 = {1, Name "n2"}
+  R = {15, Name "R"}, Re = {5, Name "Re"}, h = {0.25, Name "h"},
+  n = {4, Name "n"}, nr = {3, Name "nr"}, nR = {8, Name "nR"}, n3 = {1, Name "n3"},
+  coarser = {1.15, Name "coarser"}
 ];
+a = 0.5 * Re;
+b = 0.42 * Re;
+c = Sqrt(0.5);
 Point(1) = {0, 0, 0};
-c = A / 2;
-Point(2) = {c, 0, 0};
-Point(3) = {0.85*c, 0, 0.85*c};
-Point(4) = {0, 0, c};
-For k In {0:1}
-  r = k == 0 ? A : B;
-  Point(10*k+12) = {r, 0, 0};
-  Point(10*k+13) = {r/Sqrt(2), 0, r/Sqrt(2)};
-  Point(10*k+14) = {0, 0, r};
-  Circle(10*k+11) = {10*k+12, 1, 10*k+13};
-  Circle(10*k+12) = {10*k+13, 1, 10*k+14};
-EndFor
+Point(2) = {a, 0, 0};
+Point(3) = {b, b, 0};
+Point(4) = {0, a, 0};
+Point(5) = {Re, 0, 0};
+Point(6) = {Re*c, Re*c, 0};
+Point(7) = {0, Re, 0};
+Point(8) = {R, 0, 0};
+Point(9) = {R*c, R*c, 0};
+Point(10) = {0, R, 0};
 Line(1) = {1, 2};
 Line(2) = {2, 3};
 Line(3) = {3, 4};
 Line(4) = {4, 1};
-For k In {2:4}
-  Line(100+k) = {k, 10+k};
-  Line(200+k) = {10+k, 20+k};
-EndFor
+Circle(5) = {5, 1, 6};
+Circle(6) = {6, 1, 7};
+Circle(7) = {8, 1, 9};
+Circle(8) = {9, 1, 10};
+Line(9) = {2, 5};
+Line(10) = {3, 6};
+Line(11) = {4, 7};
+Line(12) = {5, 8};
+Line(13) = {6, 9};
+Line(14) = {7, 10};
+Transfinite Curve {1:8} = n + 1;
+Transfinite Curve {9:11} = nr + 1;
+Transfinite Curve {12:14} = nR + 1 Using Progression coarser;
 Curve Loop(1) = {1, 2, 3, 4};
-Curve Loop(2) = {102, 11, -103, -2};
-Curve Loop(3) = {103, 12, -104, -3};
-Curve Loop(4) = {202, 21, -203, -11};
-Curve Loop(5) = {203, 22, -204, -12};
-For k In {1:5}
-  Plane Surface(k) = {k};
+Curve Loop(2) = {9, 5, -10, -2};
+Curve Loop(3) = {10, 6, -11, -3};
+Curve Loop(4) = {12, 7, -13, -5};
+Curve Loop(5) = {13, 8, -14, -6};
+For s In {1:5}
+  Plane Surface(s) = {s};
 EndFor
-Transfinite Curve {1:4, 11, 12, 21, 22} = n + 1;
-Transfinite Curve {102:104} = n_a + 1;
-Transfinite Curve {202:204} = n_b + 1;
 Transfinite Surface {1:5};
 Recombine Surface {1:5};
-For k In {1:5}
-  block[] = Extrude {0, H/2, 0} { Surface{k}; Layers{n2}; Recombine; };
-  volumes[] += block[1];
-  tops[] += block[0];
-  If (k > 3)
-    frame[] += block[3];
-  EndIf
+tops[] = {};
+bodies[] = {};
+For s In {1:5}
+  body[] = Extrude {0, 0, h} { Surface{s}; Layers{n3}; Recombine; };
+  tops[] += body[0];
+  bodies[] += body[1];
 EndFor
-e = H * 1e-6;
-Physical Volume("membrane") = volumes[];
-Physical Surface("middle") = {1:5};
-Physical Surface("electrode") = {tops[0], tops[1], tops[2]};
-Physical Surface("frame") = frame[];
-Physical Surface("x1_min") = Surface In BoundingBox {-e, -e, -e, e, H/2+e, B+e};
-Physical Surface("x3_min") = Surface In BoundingBox {-e, -e, -e, B+e, H/2+e, e};
-Physical Curve("edge") = Curve In BoundingBox {A-e, -e, -e, A+e, H/2+e, e};
+e = h * 1e-6;
+Physical Volume("active") = bodies[{0:2}];
+Physical Volume("passive") = bodies[{3:4}];
+Physical Surface("bottom") = {1:5};
+Physical Surface("bottom_active") = {1:3};
+Physical Surface("top_active") = tops[{0:2}];
+Physical Surface("x1_min") = Surface In BoundingBox {-e, -e, -e, e, R+e, h+e};
+Physical Surface("x2_min") = Surface In BoundingBox {-e, -e, -e, R+e, e, h+e};
+Physical Surface("frame") = {Surface In BoundingBox {R*c-e, -e, -e, R+e, R*c+e, h+e},
+                             Surface In BoundingBox {-e, R*c-e, -e, R*c+e, R+e, h+e}};
+Physical Point("edge") = {5};

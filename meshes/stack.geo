@@ -1,50 +1,54 @@
-// Half of the width and half of the height of a stack of bonded layers with interdigitated electrodes:
-// [0,L] x [0,W] x [0,N h] in mm, N layers of thickness h above the middle plane x3 = 0, which is an
-// electrode as are all planes between layers, high and low by turns. A margin of length m at x1 = L
-// is left out by the high ones and one at x1 = 0 by the low ones. Cells: n1 in each margin, nc (even)
-// between them, n2, n3 a layer. Region: stack. Surfaces: high, low, and on the same planes high_margin,
-// low_margin, which are no electrodes in a stack; x1_min, x1_max,
-// x2_min, x3_min, top. Line: pin (x1 = L/2, x3 = 0).
+// Half a stack above its plane of symmetry x3 = 0, and of that the half with x2 > 0: n layers of h,
+// [0,L] x [0,W/2] x [0,n h] in mm. Electrodes lie below, between and above the layers. Those at
+// x3 = 0, 2h, ... (`ground`) begin at x1 = 0 and end m before x1 = L, those at x3 = h, 3h, ...
+// (`live`) begin m behind x1 = 0 and end at x1 = L; without margins, m = 0, they cover everything.
+// n1 (even) x n2 cells in the plane and nm more in each margin, n3 in every layer. Region: film.
+// Surfaces: ground, live, bottom (x3 = 0), top, x1_min, x1_max, x2_min. Point: centre (x2 = x3 = 0).
 DefineConstant[
-  L = {20, Name "L"}, W = {4, Name "W"}, h = {1, Name "h"}, m = {2, Name "m"}, N = {3, Name "N"},
-  n1 = {2, Name "n1"}, nc = {6, Name "nc"}, n2 = {2, Name "n2"}, n3 = {1, Name "n3"}
+  L = {10, Name "L"}, W = {6, Name "W"}, h = {0.5, Name "h"}, m = {1, Name "m"},
+  n = {4, Name "n"},
+  n1 = {8, Name "n1"}, nm = {2, Name "nm"}, n2 = {3, Name "n2"}, n3 = {1, Name "n3"}
 ];
+lengths[] = {L/2 - m, L/2 - m};
+cells[] = {n1/2, n1/2};
+If (m > 0)
+  lengths[] = {m, lengths[], m};
+  cells[] = {nm, cells[], nm};
+EndIf
+parts = #lengths[];
 Point(1) = {0, 0, 0};
-edge[] = Extrude {0, W, 0} { Point{1}; Layers{n2}; };
-left[] = Extrude {m, 0, 0} { Line{edge[1]}; Layers{n1}; Recombine; };
-half[] = Extrude {L/2-m, 0, 0} { Line{left[0]}; Layers{nc/2}; Recombine; };
-other[] = Extrude {L/2-m, 0, 0} { Line{half[0]}; Layers{nc/2}; Recombine; };
-right[] = Extrude {m, 0, 0} { Line{other[0]}; Layers{n1}; Recombine; };
-below[] = {left[1], half[1], other[1], right[1]};
-For i In {1:N}
-  For k In {0:3}
-    block[] = Extrude {0, 0, h} { Surface{below[k]}; Layers{n3}; Recombine; };
-    below[k] = block[0];
-    volumes[] += block[1];
-  EndFor
+end = 1;
+areas[] = {};
+For p In {0:parts-1}
+  line[] = Extrude {lengths[p], 0, 0} { Point{end}; Layers{cells[p]}; };
+  end = line[0];
+  area[] = Extrude {0, W/2, 0} { Line{line[1]}; Layers{n2}; Recombine; };
+  areas[] += area[1];
 EndFor
-e = h * 1e-6;
-high[] = {}; low[] = {}; high_margin[] = {}; low_margin[] = {};
-For i In {0:N}
-  at_left[] = Surface In BoundingBox {-e, -e, i*h-e, m+e, W+e, i*h+e};
-  at_right[] = Surface In BoundingBox {L-m-e, -e, i*h-e, L+e, W+e, i*h+e};
-  between[] = Surface In BoundingBox {m-e, -e, i*h-e, L-m+e, W+e, i*h+e};
-  If (i % 2 == 0)
-    high[] += {at_left[], between[]};
-    high_margin[] += at_right[];
+bottom[] = areas[];
+margin = m > 0 ? 1 : 0;
+ground[] = areas[{0:parts-1-margin}];
+live[] = {};
+bodies[] = {};
+For layer In {1:n}
+  For p In {0:parts-1}
+    body[] = Extrude {0, 0, h} { Surface{areas[p]}; Layers{n3}; Recombine; };
+    areas[p] = body[0];
+    bodies[] += body[1];
+  EndFor
+  If (layer % 2)
+    live[] += areas[{margin:parts-1}];
   Else
-    low[] += {between[], at_right[]};
-    low_margin[] += at_left[];
+    ground[] += areas[{0:parts-1-margin}];
   EndIf
 EndFor
-Physical Volume("stack") = volumes[];
-Physical Surface("high") = high[];
-Physical Surface("low") = low[];
-Physical Surface("high_margin") = high_margin[];
-Physical Surface("low_margin") = low_margin[];
-Physical Surface("x1_min") = Surface In BoundingBox {-e, -e, -e, e, W+e, N*h+e};
-Physical Surface("x1_max") = Surface In BoundingBox {L-e, -e, -e, L+e, W+e, N*h+e};
-Physical Surface("x2_min") = Surface In BoundingBox {-e, -e, -e, L+e, e, N*h+e};
-Physical Surface("x3_min") = Surface In BoundingBox {-e, -e, -e, L+e, W+e, e};
-Physical Surface("top") = Surface In BoundingBox {-e, -e, N*h-e, L+e, W+e, N*h+e};
-Physical Curve("pin") = Curve In BoundingBox {L/2-e, -e, -e, L/2+e, W+e, e};
+e = h * 1e-6;
+Physical Volume("film") = bodies[];
+Physical Surface("ground") = ground[];
+Physical Surface("live") = live[];
+Physical Surface("bottom") = bottom[];
+Physical Surface("top") = areas[];
+Physical Surface("x1_min") = Surface In BoundingBox {-e, -e, -e, e, W/2+e, n*h+e};
+Physical Surface("x1_max") = Surface In BoundingBox {L-e, -e, -e, L+e, W/2+e, n*h+e};
+Physical Surface("x2_min") = Surface In BoundingBox {-e, -e, -e, L+e, e, n*h+e};
+Physical Point("centre") = Point In BoundingBox {L/2-e, -e, -e, L/2+e, e, e};

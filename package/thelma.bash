@@ -27,14 +27,14 @@ _thelma()
     compopt -o nospace
     return
     ;;
-  --output)
+  --output | --restart)
     mapfile -t COMPREPLY < <(compgen -d -- "$word")
     return
     ;;
   esac
   case $word in
   -*)
-    mapfile -t COMPREPLY < <(compgen -W $'--set\n--sweep\n--ranks-per-case\n--output\n--estimate\n--check\n--list\n--defaults\n--version\n--help' -- "$word")
+    mapfile -t COMPREPLY < <(compgen -W $'--set\n--sweep\n--ranks-per-case\n--output\n--restart\n--estimate\n--check\n--list\n--defaults\n--version\n--help' -- "$word")
     ;;
   @*)
     mapfile -t COMPREPLY < <(compgen -P @ -f -X '!*.study' -- "${word#@}"

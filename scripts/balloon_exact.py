@@ -112,8 +112,8 @@ class Balloon:
                        xtol=1e-12, rtol=1e-14)
         return self.at_radius(inner, voltage)
 
-    def limit_point(self, voltage, low, high):
-        """The state of the largest pressure between two inner radii."""
-        found = minimize_scalar(lambda r: -self.at_radius(r, voltage).pressure, bounds=(low, high),
+    def limit_point(self, voltage, low, high, sign=1):
+        """The state of the largest pressure between two inner radii, or of the smallest (-1)."""
+        found = minimize_scalar(lambda r: -sign * self.at_radius(r, voltage).pressure, bounds=(low, high),
                                 method="bounded", options={"xatol": 1e-9})
         return self.at_radius(float(found.x), voltage)

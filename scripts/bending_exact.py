@@ -29,6 +29,7 @@ class Circle:
     e: float  # dimensionless field
     curvature: float  # -kappa, radians per layer thickness; positive with the active layer outside
     stretch: float  # lambda_t of the interface
+    inner: float  # lambda_t of the free face of the passive layer
 
     def rotation(self, length):
         """Degrees between two sections a length apart."""
@@ -112,7 +113,8 @@ class Bilayer:
     def circle(self, y, e):
         """What is worth knowing of a state."""
         n = len(y) - 2
-        return Circle(float(e), -float(y[n + 1]), float(y[n] + y[n + 1] * y[DEGREE - 1]))
+        interface, face = (float(y[n] + y[n + 1] * y[at]) for at in (DEGREE - 1, n - 1))
+        return Circle(float(e), -float(y[n + 1]), interface, face)
 
 
 def circles(material, theta, fields):

@@ -2,6 +2,7 @@
 #include <thelma/application/simulation.h>
 #include <thelma/application/study.h>
 #include <thelma/base/complaints.h>
+#include <thelma/base/stop_signal.h>
 #include <thelma/base/version.h>
 #include <thelma/elements/formulation.h>
 #include <thelma/output/observables.h>
@@ -60,8 +61,9 @@ ExitCode run(const CommandLine& line, std::ostream& out)
     if (!line.sweeps.empty())
       return Study(MPI_COMM_WORLD, line).run();
     if (line.estimates)
-      return run_with_estimate(MPI_COMM_WORLD, line.file, line.overrides, line.output, out).code;
-    return run_scene(MPI_COMM_WORLD, ParameterFile(line.file, line.overrides), line.output, out)
+      return run_with_estimate(MPI_COMM_WORLD, line, out).code;
+    return SingleRun{line.file, line.overrides, line.output, line.arguments, line.restarts}
+        .run(MPI_COMM_WORLD, out)
         .code;
   }
 }
@@ -75,11 +77,15 @@ int main(int argc, char** argv)
   if (openblas_set_num_threads != nullptr)
     openblas_set_num_threads(1);
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  listen_for_signals();
   const bool is_rank_0 = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   std::ostream silence(nullptr);
   try {
     const CommandLine line = CommandLine::parse({argv + 1, argv + argc});
     return static_cast<int>(run(line, is_rank_0 ? std::cout : silence));
+  } catch (const WriteError& error) {
+    (is_rank_0 ? std::cerr : silence) << "thelma: " << error.what() << std::endl;
+    return static_cast<int>(ExitCode::stopped);
   } catch (const InputError& error) {
     for (const std::string& sentence : error.sentences())
       (is_rank_0 ? std::cerr : silence) << "thelma: " << sentence << std::endl;

@@ -103,8 +103,8 @@ PathFollowing<dim>::report_between(const Task& task, const Place& low, const Pla
 
 /// Leaves the iterate at @p next, or at the event that changes what comes.
 template <int dim>
-typename PathFollowing<dim>::Events
-PathFollowing<dim>::report_events(const Task& task, const PathState& here, const PathState& next)
+typename PathFollowing<dim>::Events PathFollowing<dim>::report_events(const Task& task,
+                                                                      const PathState& next)
 {
   if (here.slope * next.slope > 0. && here.unstable_directions == next.unstable_directions)
     return Events::none;
@@ -153,7 +153,7 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::switch_branch(double s
   template typename PathFollowing<dim>::Solution PathFollowing<dim>::locate(                       \
       double, double, double, const std::function<double(const PathState&)>&);                     \
   template typename PathFollowing<dim>::Events PathFollowing<dim>::report_events(                  \
-      const Task&, const PathState&, const PathState&);                                            \
+      const Task&, const PathState&);                                                              \
   template typename PathFollowing<dim>::Solution PathFollowing<dim>::switch_branch(double);
 INSTANTIATE(2)
 INSTANTIATE(3)

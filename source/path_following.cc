@@ -203,11 +203,11 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::land_on_target()
 }
 
 template <int dim>
-PathState PathFollowing<dim>::begin(const Task& task)
+void PathFollowing<dim>::begin(const Task& task)
 {
-  PathState here;
+  here = {};
+  n_steps = 0;
   system.set_load(state.accepted_load());
-  largest_step = task.largest_step;
   examine(across_load(system.load()), here);
   choose_metric();
   examine(across_load(system.load()), here); // in that metric
@@ -215,13 +215,19 @@ PathState PathFollowing<dim>::begin(const Task& task)
   stepper.start(arc.size() > 1 ? arc.back() - arc[arc.size() - 2]
                                : task.first_step / std::abs(here.slope),
                 1e-8);
-  return here;
 }
 
-/// Whether the path ends between @p here and @p next; then the iterate is its end.
 template <int dim>
-std::optional<typename PathFollowing<dim>::End>
-PathFollowing<dim>::finish(const Task& task, const PathState& here, const PathState& next)
+void PathFollowing<dim>::resume()
+{
+  system.set_load(state.accepted_load());
+  system.residual(); // for the reactions
+}
+
+/// Whether the path ends before @p next; then the iterate is its end.
+template <int dim>
+std::optional<typename PathFollowing<dim>::End> PathFollowing<dim>::finish(const Task& task,
+                                                                           const PathState& next)
 {
   Solution last;
   End end = End::target;
@@ -243,20 +249,26 @@ PathFollowing<dim>::finish(const Task& task, const PathState& here, const PathSt
 }
 
 template <int dim>
-typename PathFollowing<dim>::End PathFollowing<dim>::follow(const Task& task)
+typename PathFollowing<dim>::End PathFollowing<dim>::follow(const Task& task, const bool resumes)
 {
-  PathState here = begin(task);
-  for (unsigned int step = 0; step < most_steps; ++step) {
+  largest_step = task.largest_step;
+  if (resumes)
+    resume();
+  else
+    begin(task);
+  for (; n_steps < most_steps; ++n_steps) {
+    if (n_steps > 0 && task.stops()) // before there is no second state to go on from
+      return End::stopped;
     remainder = task.remainder ? task.remainder() : 0.;
     Solution next = advance();
     if (!next)
       return End::lost;
-    const Events events = report_events(task, here, *next);
+    const Events events = report_events(task, *next);
     if (events == Events::aim)
       return End::limit_point;
     if (events == Events::new_branch && !(next = switch_branch(stepper.step())))
       return End::lost;
-    if (const std::optional<End> end = finish(task, here, *next))
+    if (const std::optional<End> end = finish(task, *next))
       return *end;
     task.record(*next);
     here = *next;

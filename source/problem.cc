@@ -145,9 +145,10 @@ void Problem<dim>::check_and_set_up(Complaints& found)
 template <int dim>
 Outcome Problem<dim>::run()
 {
-  results.start(parameters(), outcome, theta);
-  heat();
-  if (outcome.code == ExitCode::success)
+  results.start(parameters(), outcome, theta, resumes);
+  if (part == Part::heating)
+    heat();
+  if (outcome.code == ExitCode::success && part != Part::time)
     apply_loads();
   if (outcome.code == ExitCode::success && layout.is_transient())
     evolve();
@@ -160,8 +161,8 @@ Outcome Problem<dim>::run()
 template <int dim>
 void Problem<dim>::heat()
 {
-  Stepper steps;
-  steps.start(1e-4, 1.);
+  if (!resumes)
+    heating.start(1e-4, 1.);
   const auto prescribe = [&](const double part) {
     conditions.apply(0., theta_start, part, state.x);
     nodal_heat.apply(theta_start, part, part);
@@ -174,9 +175,9 @@ void Problem<dim>::heat()
       system.start_internal(); // free expansion is a better guess than none
     prescribe(part);
   };
-  bool heated = follow(steps, LoadSymmetry::none, expand, remember);
-  if (!heated && path_following.is_automatic()) {
-    PathTask arc = task(steps);
+  bool heated = !on_arc && follow(heating, LoadSymmetry::none, expand, remember);
+  if (!heated && outcome.code == ExitCode::success && path_following.is_automatic()) {
+    PathTask arc = task(heating);
     const auto record_on_arc = arc.record;
     arc.record = [&](const PathState& found) {
       last = found.report;
@@ -186,8 +187,9 @@ void Problem<dim>::heat()
   }
   if (heated) {
     state.start();
+    part = Part::loads;
     record(0., last);
-  } else
+  } else if (outcome.code == ExitCode::success)
     outcome = failure("no convergence", "no stable state beyond " + std::to_string(state.theta) +
                                             " K while heating: " + last_failure);
 }
@@ -197,7 +199,10 @@ template <int dim>
 bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
                           const std::function<void(double)>& prescribe, const Record& on_accept)
 {
+  resumes = false;
   while (!steps.finished() && !steps.exhausted()) {
+    if (stops())
+      return false;
     const double load = steps.next();
     {
       const auto timer = timings.measure("prediction");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
 namespace thelma
 {
@@ -88,6 +89,7 @@ typename PathFollowing<dim>::Task Problem<dim>::task(const Stepper& steps)
     if (found.event == "limit point" && !outcome.pull_in)
       outcome.pull_in = Bracket{e, e, e};
   };
+  task.stops = [this]() { return stops(); };
   task.record_mode = [this](const BlockVector& mode) { results.add_mode(scene(), mode); };
   return task;
 }
@@ -97,8 +99,11 @@ typename PathFollowing<dim>::End
 Problem<dim>::follow_arc(const PathTask& task, const std::function<void(double)>& prescribe)
 {
   system.load_by(prescribe);
-  const PathEnd end = path_following.follow(task);
-  state.accept(system.load());
+  on_arc = true;
+  const PathEnd end = path_following.follow(task, std::exchange(resumes, false));
+  on_arc = false;
+  if (end != PathEnd::stopped)
+    state.accept(system.load());
   return end;
 }
 
@@ -131,6 +136,8 @@ void Problem<dim>::explain_end(const PathEnd end)
     outcome = failure("target reached", "the target was reached but a pull-in was expected");
     outcome.code = ExitCode::expectation_failed;
     return;
+  case PathEnd::stopped:
+    return; // stops() has told why
   case PathEnd::no_load:
     outcome = failure("no load", "the path has returned to no load");
     return;

@@ -3,6 +3,8 @@
 #include <thelma/base/error.h>
 #include <thelma/problem.h>
 
+#include <algorithm>
+
 namespace thelma
 {
 
@@ -25,19 +27,17 @@ void Problem<dim>::check_stages() const
 template <int dim>
 void Problem<dim>::apply_loads()
 {
-  unsigned int ramps = 0;
-  for (const Stage& stage : loading.stages()) {
+  for (; n_stages < loading.stages().size(); ++n_stages) {
+    const Stage& stage = loading.stages()[n_stages];
     const bool is_electric = stage.kind != Stage::Kind::move && stage.kind != Stage::Kind::force &&
                              stage.kind != Stage::Kind::pressure;
-    if (outcome.code != ExitCode::success || outcome.pull_in ||
-        (is_electric && !layout.has(Field::potential)))
+    if (!resumes && (outcome.code != ExitCode::success || outcome.pull_in ||
+                     (is_electric && !layout.has(Field::potential))))
       break;
     if (!stage.is_ramp())
       change_electrode(stage);
-    else {
-      first_load = ramps++;
+    else
       ramp(stage);
-    }
   }
 }
 
@@ -57,14 +57,24 @@ void Problem<dim>::change_electrode(const Stage& stage)
   }
 }
 
+/// Whether there is any way to go.
+template <int dim>
+bool Problem<dim>::begin_ramp(const Stage& stage)
+{
+  const auto before = loading.stages().begin() + static_cast<std::ptrdiff_t>(n_stages);
+  first_load = static_cast<double>(std::count_if(
+      loading.stages().begin(), before, [](const Stage& earlier) { return earlier.is_ramp(); }));
+  present = {stage.kind, levels.of(stage.kind), stage.level};
+  if (stage.kind == Stage::Kind::voltage && layout.is_transient())
+    present.to *= transient.initial_voltage() / loading.voltage(1.);
+  return present.to != present.from;
+}
+
 template <int dim>
 void Problem<dim>::ramp(const Stage& stage)
 {
   Levels now = levels;
-  present = {stage.kind, levels.of(stage.kind), stage.level};
-  if (stage.kind == Stage::Kind::voltage && layout.is_transient())
-    present.to *= transient.initial_voltage() / loading.voltage(1.);
-  if (present.to == present.from)
+  if (!resumes && !begin_ramp(stage))
     return;
   const auto prescribe = [&](const double load) {
     now.of(stage.kind) = present.level(load);
@@ -82,12 +92,17 @@ void Problem<dim>::ramp(const Stage& stage)
   const bool is_electric = stage.kind == Stage::Kind::voltage || stage.kind == Stage::Kind::charge;
   const bool at_rest = levels.voltage == 0. && levels.charge == 0. && first_load == 0.;
   const LoadSymmetry symmetry = at_rest && is_electric ? LoadSymmetry::voltage : LoadSymmetry::none;
-  state.start();
-  stepper.start(loading.resolution());
-  leave_rest(prescribe);
-  const bool finished =
-      follow(stepper, symmetry, prescribe,
-             [&](const double load, const NewtonReport& report) { record(load, report); });
+  if (!resumes) {
+    state.start();
+    stepper.start(loading.resolution());
+    leave_rest(prescribe);
+  }
+  const bool finished = !on_arc && follow(stepper, symmetry, prescribe,
+                                          [&](const double load, const NewtonReport& report) {
+                                            record(load, report);
+                                          });
+  if (outcome.code == ExitCode::stopped)
+    return;
   levels.of(stage.kind) = present.to;
   if (!finished && path_following.is_automatic())
     return follow_load(prescribe);

@@ -1,6 +1,7 @@
 #include <thelma/problem.h>
 
 #include <limits>
+#include <utility>
 
 namespace thelma
 {
@@ -19,8 +20,13 @@ void Problem<dim>::set_uniform_temperature(const double value)
 template <int dim>
 void Problem<dim>::evolve()
 {
-  transient.start(system);
+  part = Part::time;
+  if (!std::exchange(resumes, false))
+    transient.start();
+  transient.heated_system().set_loads(system);
   while (!transient.finished()) {
+    if (stops())
+      return;
     const NewtonReport report = transient.step(predictor, newton, [&]() { return solve(); });
     outcome.effort.add(report);
     if (report.converged) {

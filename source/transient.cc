@@ -68,9 +68,8 @@ void Transient<dim>::setup(const System<dim>& deformation, const double target_v
 }
 
 template <int dim>
-void Transient<dim>::start(const System<dim>& deformation)
+void Transient<dim>::start()
 {
-  system.set_loads(deformation);
   std::vector<double> kinks;
   for (const auto* amplitude : {&voltage_amplitude, &wall_amplitude, &power_amplitude})
     for (const auto& row : (*amplitude)->table())

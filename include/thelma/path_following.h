@@ -20,6 +20,13 @@ struct PathState {
   double place = 0.; ///< arc length from the first of the remembered states, of a located event
   long long unstable_directions = 0;
   std::string event;
+
+  /// What a step that begins here needs to know.
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& load& slope& unstable_directions;
+  }
 };
 
 /// Follows equilibria along their arc length, through limit points and bifurcations, which it
@@ -47,7 +54,7 @@ public:
     return state.estimated_limit() < state.accepted_load() + 3. * step;
   }
 
-  enum class End { target, observable, limit_point, no_load, most_steps, lost };
+  enum class End { target, observable, limit_point, no_load, most_steps, lost, stopped };
 
   /// What follow() is to do.
   struct Task {
@@ -56,10 +63,18 @@ public:
     std::function<double()> remainder; ///< changes sign where the path is to end; may be empty
     std::function<void(const PathState&)> record;
     std::function<void(const BlockVector&)> record_mode; ///< of a bifurcation
+    std::function<bool()> stops; ///< asked between two steps, when all that matters is data
   };
 
-  /// From the last accepted state until load 1 or another end.
-  End follow(const Task& task);
+  /// From the last accepted state until load 1 or another end; or on, if that @p resumes what a
+  /// checkpoint knows.
+  End follow(const Task& task, bool resumes);
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& stepper& metric& here& n_steps& on_branch& spent& n_failures;
+  }
 
   const NewtonEffort& effort() const { return spent; }
   unsigned int failures() const { return n_failures; }
@@ -95,12 +110,13 @@ private:
     double arc, slope;
     long long unstable_directions;
   };
-  Events report_events(const Task& task, const PathState& here, const PathState& next);
+  Events report_events(const Task& task, const PathState& next);
   Events report_between(const Task& task, const Place& low, const Place& high);
   void start_branch(double place);
   Solution switch_branch(double step);
-  PathState begin(const Task& task);
-  std::optional<End> finish(const Task& task, const PathState& here, const PathState& next);
+  void begin(const Task& task);
+  void resume();
+  std::optional<End> finish(const Task& task, const PathState& next);
 
   System<dim>& system;
   State& state;
@@ -114,6 +130,8 @@ private:
   ArcStepper stepper;
   double largest_step = 1., remainder = 0.;
   PathMetric metric;
+  PathState here; ///< at the last accepted state
+  unsigned int n_steps = 0;
   bool on_branch = false;
   BlockVector mode;
   NewtonEffort spent;

@@ -9,6 +9,7 @@
 #include <thelma/solvers/stepper.h>
 #include <thelma/transient.h>
 
+#include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <string>
@@ -26,6 +27,11 @@ public:
 
   /// Build mesh, fields and solver. Throws InputError for whatever is wrong with the scene.
   void setup();
+
+  /// Take up the run whose checkpoint is in the folder; setup() must have been called. Whether
+  /// there is one. Throws InputError for one that does not fit; with @p if_it_fits it counts as
+  /// none.
+  bool resume(bool if_it_fits);
 
   /// Solve; setup() must have been called. What goes wrong from here on is in the Outcome.
   Outcome run();
@@ -45,10 +51,26 @@ private:
     Stage::Kind kind = Stage::Kind::voltage;
     double from = 0., to = 1.; ///< levels
     double level(const double load) const { return from + load * (to - from); }
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned int)
+    {
+      archive& kind& from& to;
+    }
   };
   using PathEnd = typename PathFollowing<dim>::End;
   using PathTask = typename PathFollowing<dim>::Task;
   using Record = std::function<void(double load, const NewtonReport&)>;
+
+  enum class Part { heating, loads, time }; ///< of a run
+
+  bool stops();
+  void save();
+  std::string misfit(const std::string& by, const std::string& scene, std::uint32_t body) const;
+  template <class Archive>
+  void keep(Archive& archive);
+  template <class Archive>
+  void keep_electrodes(Archive& archive);
 
   void declare();
   void find_complaints();
@@ -58,6 +80,7 @@ private:
   void check_stages() const;
   void apply_loads();
   void change_electrode(const Stage& stage);
+  bool begin_ramp(const Stage& stage);
   void ramp(const Stage& stage);
   void show_floating_voltage();
   void evolve();
@@ -98,12 +121,16 @@ private:
   DeadLoads<dim> dead_loads;
   FollowerPressure<dim> pressure;
   Newton newton;
-  Stepper stepper;
+  Stepper heating, stepper;
   PathFollowing<dim> path_following;
 
   unsigned int dimension = dim;
   double theta = 293., theta_start = 293.; ///< K
-  Levels levels;                           ///< reached by the stages so far
+  Part part = Part::heating;
+  std::size_t n_stages = 0; ///< that are over
+  bool on_arc = false;
+  bool resumes = false; ///< a step that a checkpoint has foregone
+  Levels levels;        ///< reached by the stages so far
   Ramp present;
   double first_load = 0.; ///< of the present stage, in the curve
   Outcome outcome;

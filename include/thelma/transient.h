@@ -37,7 +37,7 @@ public:
   void setup(const System<dim>& deformation, double voltage, double theta);
 
   /// Begin at time 0 with the iterate.
-  void start(const System<dim>& deformation);
+  void start();
 
   bool finished() const { return stepper.finished(); }
   bool exhausted() const { return stepper.exhausted(); }
@@ -60,6 +60,13 @@ public:
 
   /// How time is treated, and which coupling is cheaper, and why.
   std::vector<std::string> summary() const;
+
+  /// How far it has come.
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& stepper;
+  }
 
 private:
   void prescribe(double time);

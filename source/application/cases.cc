@@ -90,8 +90,8 @@ std::vector<Case> cases_of(const CommandLine& line)
                        "' occurs twice; give every value once");
     std::vector<Override> overrides = line.overrides;
     overrides.insert(overrides.end(), changes.begin(), changes.end());
-    cases.push_back({changes, name, line.output + "/" + name, ParameterFile(line.file, overrides),
-                     std::nullopt});
+    cases.push_back({changes, overrides, name, line.output + "/" + name,
+                     ParameterFile(line.file, overrides), std::nullopt});
   }
   return cases;
 }

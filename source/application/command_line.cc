@@ -1,4 +1,5 @@
 #include <thelma/application/command_line.h>
+#include <thelma/application/run_command.h>
 #include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
 
@@ -72,12 +73,28 @@ Sweep parse_sweep(const std::string& text)
   return sweep;
 }
 
+/// What was started into @p folder once, from where it was started.
+CommandLine restarted(const std::string& folder)
+{
+  const std::string there = std::filesystem::absolute(folder).string();
+  const RunCommand command = RunCommand::read(there);
+  std::error_code gone; // then the files named from there are complained about
+  std::filesystem::current_path(command.directory, gone);
+  CommandLine line = CommandLine::parse(command.arguments);
+  line.output = there;
+  line.restarts = true;
+  return line;
+}
+
 } // namespace
 
 CommandLine CommandLine::parse(const std::vector<std::string>& given)
 {
   const std::vector<std::string> arguments = expanded(given);
+  if (arguments.size() == 2 && arguments.front() == "--restart")
+    return restarted(arguments.back());
   CommandLine line;
+  line.arguments = arguments;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& word = arguments[i];
     const auto value = [&]() -> const std::string& {
@@ -93,6 +110,9 @@ CommandLine CommandLine::parse(const std::vector<std::string>& given)
       line.ranks_per_case = parse_ranks_per_case(value());
     else if (word == "--output")
       line.output = value();
+    else if (word == "--restart")
+      throw InputError("command line: --restart DIR stands alone; the folder knows the scene and "
+                       "the options of its run");
     else if (word == "--estimate")
       line.estimates = true;
     else if (word == "--check")
@@ -106,10 +126,10 @@ CommandLine CommandLine::parse(const std::vector<std::string>& given)
     else if (word == "--help" || word == "-h")
       line.action = Action::help;
     else if (word.rfind("-", 0) == 0)
-      throw InputError(
-          "command line: unknown option '" + word + "'" +
-          known_ones(word, {"--set", "--sweep", "--ranks-per-case", "--output", "--estimate",
-                            "--check", "--list", "--defaults", "--version", "--help"}));
+      throw InputError("command line: unknown option '" + word + "'" +
+                       known_ones(word, {"--set", "--sweep", "--ranks-per-case", "--output",
+                                         "--estimate", "--restart", "--check", "--list",
+                                         "--defaults", "--version", "--help"}));
     else if (!line.file.empty())
       throw InputError("command line: two parameter files, '" + line.file + "' and '" + word +
                        "'; give one");
@@ -134,6 +154,7 @@ std::string CommandLine::help()
 {
   return R"(thelma [options] FILE.prm
 thelma @STUDY                        the options and the file are lines of the file STUDY
+thelma --restart DIR                 go on with the run or the study in DIR
 Simulates dielectric elastomer actuators: finite deformation, electric field, temperature.
 
   --set "Section/Entry=value"        override an entry; repeatable
@@ -151,12 +172,17 @@ Simulates dielectric elastomer actuators: finite deformation, electric field, te
 A sweep leaves a folder per run and study.csv, a row per run. Started again, it runs only what is
 not finished or what has changed since.
 
+A run writes a checkpoint every minute (entry Output/Checkpoint interval), and one when SIGTERM, or
+SIGUSR1 to mpirun, stops it. After that, kill -9 or a full disk, --restart goes on from the newest
+one, on any number of ranks; without one it begins anew.
+
 Examples
   thelma prm/planar_actuator.prm
   mpirun -np 2 thelma prm/planar_actuator.prm --set "Temperature/Value=353" --output hot
   mpirun -np 2 thelma prm/planar_actuator.prm --sweep "Temperature/Value=273,293,313,333,353"
   thelma prm/bending_actuator_plane.prm --estimate
   mpirun -np 2 thelma @prm/studies/bending_actuator.study
+  mpirun -np 2 thelma --restart output/bending_actuator
 
 Exit codes
   0  done, and what the file expects came true
@@ -164,6 +190,7 @@ Exit codes
      remedy
   2  an expectation of the file failed
   3  no convergence or an unexpected instability; partial results are kept
+  4  stopped, by a signal or because a file cannot be written; go on with --restart
   70 an error in the program
 The exit code of a sweep is the largest of its runs.
 )";

@@ -1,4 +1,5 @@
 #include <thelma/application/estimate.h>
+#include <thelma/application/run_command.h>
 #include <thelma/application/simulation.h>
 #include <thelma/output/curve.h>
 
@@ -64,13 +65,11 @@ std::vector<Estimate> compare(const Outcome& given, const Outcome& finer, const 
   return estimates;
 }
 
-Outcome run_with_estimate(const MPI_Comm comm, const std::string& file,
-                          const std::vector<Override>& overrides, const std::string& folder,
-                          std::ostream& console)
+Outcome run_with_estimate(const MPI_Comm comm, const CommandLine& line, std::ostream& console)
 {
-  const ParameterFile scene(file, overrides);
+  const SingleRun first{line.file, line.overrides, line.output, line.arguments, line.restarts};
   unsigned int refinements = 0, degree = 1;
-  scene.peek([&](dealii::ParameterHandler& prm) {
+  first.scene().peek([&](dealii::ParameterHandler& prm) {
     {
       const Section section(prm, {"Mesh"});
       prm.add_parameter("Refinements", refinements);
@@ -78,14 +77,20 @@ Outcome run_with_estimate(const MPI_Comm comm, const std::string& file,
     const Section section(prm, {"Discretisation"});
     prm.add_parameter("Degree", degree);
   });
-  const Outcome given = run_scene(comm, scene, folder, console);
-  if (given.code == ExitCode::not_converged)
+  const bool was_finished = first.is_finished();
+  const Outcome given = first.run(comm, console);
+  if (given.code == ExitCode::not_converged || given.code == ExitCode::stopped)
     return given;
 
-  std::vector<Override> finer = overrides;
-  finer.push_back({{"Mesh"}, "Refinements", std::to_string(refinements + 1)});
+  SingleRun second = first;
+  second.overrides.push_back({{"Mesh"}, "Refinements", std::to_string(refinements + 1)});
+  second.folder += "/finer";
+  second.arguments = arguments_for(second.file, second.overrides);
+  second.restarts = was_finished; // whatever else is there belongs to another run
   console << "\n";
-  const Outcome check = run_scene(comm, ParameterFile(file, finer), folder + "/finer", console);
+  const Outcome check = second.run(comm, console);
+  if (check.code == ExitCode::stopped)
+    return check;
   const double factor = 1. / (1. - std::pow(0.5, degree));
   const std::vector<Estimate> estimates = compare(given, check, factor);
   if (estimates.empty() || check.code == ExitCode::not_converged) {
@@ -93,7 +98,7 @@ Outcome run_with_estimate(const MPI_Comm comm, const std::string& file,
     return given;
   }
   print(estimates, console);
-  on_rank_0(comm, [&]() { write_file(folder + "/estimate.csv", table(estimates)); });
+  on_rank_0(comm, [&]() { write_file(first.folder + "/estimate.csv", table(estimates)); });
   return given;
 }
 

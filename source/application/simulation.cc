@@ -1,9 +1,14 @@
+#include <thelma/application/run_command.h>
 #include <thelma/application/simulation.h>
 #include <thelma/base/error.h>
+#include <thelma/output/checkpoints.h>
+#include <thelma/output/run_report.h>
 #include <thelma/problem.h>
 
+#include <fstream>
 #include <iomanip>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 namespace thelma
@@ -29,6 +34,8 @@ auto with_problem(const MPI_Comm comm, const ParameterFile& file, const std::str
     if (dimension_of(file) == 2)
       return action(*std::make_unique<Problem<2>>(comm, file, folder, console));
     return action(*std::make_unique<Problem<3>>(comm, file, folder, console));
+  } catch (const WriteError&) {
+    throw;
   } catch (const InputError& error) {
     std::vector<std::string> sentences = error.sentences();
     for (std::string& sentence : sentences)
@@ -46,12 +53,43 @@ std::ostream& silence()
 } // namespace
 
 Outcome run_scene(const MPI_Comm comm, const ParameterFile& file, const std::string& folder,
-                  std::ostream& console)
+                  std::ostream& console, const Begin begin,
+                  const std::vector<std::string>& arguments)
 {
-  return with_problem(comm, file, folder, console, [](auto& problem) {
+  return with_problem(comm, file, folder, console, [&](auto& problem) {
     problem.setup();
+    const bool resumed = begin != Begin::anew && problem.resume(begin == Begin::resumed_if_same);
+    if (!resumed)
+      on_rank_0(comm, [&]() { RunCommand::here(arguments).write(folder); });
     return problem.run();
   });
+}
+
+ParameterFile SingleRun::scene() const
+{
+  std::ifstream used(folder + "/used.prm");
+  std::ostringstream text;
+  if (restarts && used && text << used.rdbuf())
+    return ParameterFile::from_text(text.str(), file);
+  return ParameterFile(file, overrides);
+}
+
+bool SingleRun::is_finished() const
+{
+  const std::optional<Outcome> known = read_run_report(folder + "/run.json");
+  return restarts && known && known->is_lasting();
+}
+
+Outcome SingleRun::run(const MPI_Comm comm, std::ostream& console) const
+{
+  if (!restarts)
+    return run_scene(comm, scene(), folder, console, Begin::anew, arguments);
+  if (!is_finished())
+    return run_scene(comm, scene(), folder, console, Begin::resumed, arguments);
+  on_rank_0(comm, [&]() { Checkpoints(folder).remove(); }); // if killed just before that
+  const Outcome known = *read_run_report(folder + "/run.json");
+  console << folder << " is finished: " << known.summary() << "\n";
+  return known;
 }
 
 bool is_finished(const ParameterFile& file, const std::string& folder)

@@ -1,6 +1,8 @@
+#include <thelma/application/run_command.h>
 #include <thelma/application/simulation.h>
 #include <thelma/application/study.h>
 #include <thelma/base/error.h>
+#include <thelma/base/stop_signal.h>
 #include <thelma/base/timings.h>
 #include <thelma/output/run_report.h>
 
@@ -88,6 +90,7 @@ Study::Study(const MPI_Comm world, const CommandLine& line)
   on_rank_0(world, [&]() {
     for (const Case& one : cases)
       create_folder(one.folder);
+    RunCommand::here(line.arguments).write(folder);
     write_file(folder + "/log.txt", "");
   });
   // Ranks that are left over join the last group.
@@ -116,7 +119,7 @@ ExitCode Study::run()
       }
   } catch (const InputError& error) {
     std::cerr << "thelma: " << error.what() << std::endl;
-    MPI_Abort(world, static_cast<int>(ExitCode::bad_input));
+    MPI_Abort(world, static_cast<int>(ExitCode::stopped));
   }
   MPI_Barrier(world);
   const ExitCode worst = conclude();
@@ -126,7 +129,8 @@ ExitCode Study::run()
   return worst;
 }
 
-/// Also clears the way for those that are not: what a case left that was changed or killed.
+/// Also clears the way for those that are not: what a case left that was changed or killed, but for
+/// its checkpoints.
 void Study::find_unfinished()
 {
   std::vector<unsigned int> is_unfinished(cases.size(), 0);
@@ -149,11 +153,11 @@ void Study::find_unfinished()
 bool Study::claim(const Case& one) const
 {
   bool is_mine = false;
-  if (this_mpi_process(group) == 0) {
+  if (this_mpi_process(group) == 0 && !stop_requested()) {
     const std::string log = one.folder + "/log.txt";
     std::FILE* const created = std::fopen(log.c_str(), "wx"); // fails if the file exists
     if (created == nullptr && errno != EEXIST)
-      throw InputError("cannot write '" + log + "'; choose another --output folder or make room");
+      throw WriteError("cannot write '" + log + "'; choose another --output folder or make room");
     is_mine = created != nullptr;
     if (is_mine)
       std::fclose(created);
@@ -169,8 +173,11 @@ void Study::run_case(const Case& one) const
     log.open(one.folder + "/log.txt");
   Outcome failure;
   try {
-    run_scene(group, one.file, one.folder, log);
+    run_scene(group, one.file, one.folder, log, Begin::resumed_if_same,
+              arguments_for(one.file.name(), one.overrides));
     return;
+  } catch (const WriteError&) {
+    throw;
   } catch (const InputError& error) {
     failure = ended_by(error);
   } catch (const std::exception& error) {
@@ -212,9 +219,9 @@ ExitCode Study::conclude()
   on_rank_0(world, [&]() {
     collect_outcomes();
     write_file(folder + "/study.csv", study_table(cases));
+    const ExitCode unknown = stop_requested() ? ExitCode::stopped : ExitCode::internal_error;
     for (const Case& one : cases)
-      worst = std::max(
-          worst, static_cast<int>(one.outcome ? one.outcome->code : ExitCode::internal_error));
+      worst = std::max(worst, static_cast<int>(one.outcome ? one.outcome->code : unknown));
   });
   return static_cast<ExitCode>(dealii::Utilities::MPI::broadcast(world, worst));
 }

@@ -13,7 +13,7 @@ namespace thelma
 namespace
 {
 
-const std::string place = "section Loads, entry 'Pressure'";
+const std::string pressure_entry = "section Loads, entry 'Pressure'";
 
 /// An end of an edge of the surface (in the plane the whole edge): where it is and which
 /// displacements are given there.
@@ -32,7 +32,7 @@ std::vector<std::vector<End<dim>>> edges_of(const Mesh<dim>& mesh, const FieldLa
   using Geometry = dealii::GeometryInfo<dim>;
   std::map<std::vector<unsigned int>, std::vector<End<dim>>> found;
   std::vector<dealii::types::global_dof_index> indices;
-  for (const auto& [entity, vertices] : mesh.surface(name, place)) {
+  for (const auto& [entity, vertices] : mesh.surface(name, pressure_entry)) {
     const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
         &mesh.triangulation(), entity->level(), entity->index(), &layout.dof_handler());
     layout.unknowns(cell, indices);
@@ -110,11 +110,11 @@ void FollowerPressure<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>&
   for (const auto& [name, pressure] : values)
     complaints.allow([&, &name = name, &pressure = pressure]() {
       surfaces.push_back({pressure, {}});
-      surfaces.back().surface.setup(mesh, fields, name, place);
+      surfaces.back().surface.setup(mesh, fields, name, pressure_entry);
       for (const auto& edge : edges_of(mesh, fields, conditions, name))
         if (!has_potential<dim>(edge))
           throw InputError(
-              place + ": an edge of '" + name + "' is free at " +
+              pressure_entry + ": an edge of '" + name + "' is free at " +
               dealii::Patterns::Tools::to_string(edge.front().X) +
               " mm, so that the pressure has no energy; hold it or support it in its symmetry "
               "plane");

@@ -160,11 +160,11 @@ ResidualReport System<dim>::residual()
 }
 
 template <int dim>
-BlockVector System<dim>::present_loads() const
+BlockVector System<dim>::loads_at(const BlockVector& x) const
 {
   BlockVector result = layout.new_vector();
   if (pressure)
-    pressure->add_forces(1., state.x, result);
+    pressure->add_forces(1., x, result);
   result.compress(dealii::VectorOperation::add);
   result += loads;
   return result;

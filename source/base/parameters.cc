@@ -114,10 +114,10 @@ ParameterFile::ParameterFile(std::string file, const std::vector<Override>& over
     statements.entries.push_back({0, change.sections, change.entry, change.value});
 }
 
-ParameterFile ParameterFile::from_text(const std::string& text)
+ParameterFile ParameterFile::from_text(const std::string& text, const std::string& name)
 {
   ParameterFile file;
-  file.path = "parameters";
+  file.path = name;
   file.statements = Statements(text);
   return file;
 }

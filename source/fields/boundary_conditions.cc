@@ -1,62 +1,23 @@
-#include <thelma/base/axes.h>
 #include <thelma/base/complaints.h>
 #include <thelma/base/error.h>
-#include <thelma/base/formula.h>
 #include <thelma/base/parameters.h>
 #include <thelma/base/quantity.h>
 #include <thelma/fields/boundary_conditions.h>
 #include <thelma/fields/named_dofs.h>
 #include <thelma/fields/rigid_motions.h>
 
-#include <deal.II/base/utilities.h>
-
-#include <cmath>
-#include <memory>
-
 namespace thelma
 {
 namespace
 {
 
-/// Where a moved support goes at the point @p X: a length or an expression of x1, x2, x3.
-template <int dim>
-std::function<double(const dealii::Point<dim>&)> moved_way(const std::string& text,
-                                                           const std::string& place)
+double moved_way(const std::string& text, const std::string& place)
 {
-  if (text.find('x') != std::string::npos) {
-    const auto formula = std::make_shared<Formula<3>>(place, text, "x1,x2,x3");
-    return [formula](const dealii::Point<dim>& X) {
-      dealii::Point<3> in_space;
-      for (unsigned int d = 0; d < dim; ++d)
-        in_space[axis<dim>(d)] = X[d];
-      return (*formula)(in_space);
-    };
-  }
   try {
-    const double way = Quantity("mm").value(text);
-    return [way](const dealii::Point<dim>&) { return way; };
+    return Quantity("mm").value(text);
   } catch (const InputError& error) {
     throw InputError(place + ": " + error.what());
   }
-}
-
-/// A text such as "u1 2.5 u3 0.2*x3", by components.
-std::vector<std::pair<std::string, std::string>> moved_components(const std::string& text,
-                                                                  const std::string& place)
-{
-  std::vector<std::pair<std::string, std::string>> parts;
-  for (const std::string& word : dealii::Utilities::split_string_list(text, ' '))
-    if (word.size() == 2 && word[0] == 'u')
-      parts.emplace_back(word, "");
-    else if (!parts.empty())
-      parts.back().second += (parts.back().second.empty() ? "" : " ") + word;
-  for (const auto& part : parts)
-    if (part.second.empty())
-      parts.clear();
-  if (parts.empty())
-    throw InputError(place + ": '" + text +
-                     "' is not a displacement component and mm; write it as u1 2.5");
-  return parts;
 }
 
 } // namespace
@@ -71,12 +32,10 @@ void BoundaryConditions<dim>::declare(dealii::ParameterHandler& prm)
                       "Displacement components held at zero on surfaces, lines or points, as "
                       "`clamp: u1 u2 u3, symmetry: u1`.",
                       Map(Anything(), Anything(), 0, 100));
-    prm.add_parameter(
-        "Moved", moved_supports,
-        "Displacement components to which the stage `move` (Loading/Stages) takes "
-        "surfaces, lines or points, as `grip: u1 2.5`, in mm or as an expression of x1, x2 "
-        "and x3: `frame: u1 0.2*x1 u3 0.2*x3`. Unit: mm.",
-        Map(Anything(), Anything(), 0, 100));
+    prm.add_parameter("Moved", moved_supports,
+                      "Displacement components to which the stage `move` (Loading/Stages) takes "
+                      "surfaces, lines or points, as `grip: u1 2.5`. Unit: mm.",
+                      Map(Anything(), Anything(), 0, 100));
   }
   plates.declare(prm);
   const Section section(prm, {"Temperature"});
@@ -112,10 +71,10 @@ void BoundaryConditions<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim
 template <int dim>
 void BoundaryConditions<dim>::fix(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
                                   const std::string& surface, const std::string& place,
-                                  const unsigned int component, const Value& value, Values& values)
+                                  const unsigned int component, const double value, Values& values)
 {
-  for (const auto& [dof, X] : placed_dofs_on(mesh, layout, surface, place, component))
-    if (std::abs(values.emplace(dof, value(X)).first->second - value(X)) > 1e-12)
+  for (const auto dof : dofs_on(mesh, layout, surface, place, component))
+    if (values.emplace(dof, value).first->second != value)
       throw InputError(place + ": surface '" + surface +
                        "' touches another one with a different value; prescribe one value at each "
                        "point");
@@ -129,8 +88,7 @@ void BoundaryConditions<dim>::fix_supports(const Mesh<dim>& mesh, const FieldLay
   for (const auto& [surface, components] : supports)
     complaints.allow([&, &surface = surface, &components = components]() {
       for (const unsigned int c : components_named<dim>(components, place))
-        fix(
-            mesh, layout, surface, place, c, [](const auto&) { return 0.; }, fixed_dofs);
+        fix(mesh, layout, surface, place, c, 0., fixed_dofs);
     });
   if (supports.empty())
     complaints.add(place + ": the body is free to move; fix enough components to hold it");
@@ -145,8 +103,7 @@ void BoundaryConditions<dim>::require_held(const Mesh<dim>& mesh) const
     for (const unsigned int c : components_named<dim>(components, ""))
       motions.hold(surface, c);
   for (const auto& [surface, text] : moved_supports)
-    for (const auto& part : moved_components(text, ""))
-      motions.hold(surface, components_named<dim>(part.first, "").front());
+    motions.hold(surface, components_named<dim>(text.substr(0, text.find(' ')), "").front());
   Complaints complaints;
   for (const std::string& sentence : motions.remaining())
     complaints.add("section Supports, entry 'Fixed': " + sentence);
@@ -158,12 +115,16 @@ void BoundaryConditions<dim>::fix_moved_supports(const Mesh<dim>& mesh,
                                                  const FieldLayout<dim>& layout)
 {
   const std::string place = "section Supports, entry 'Moved'";
-  for (const auto& [surface, text] : moved_supports)
-    for (const auto& [name, way_text] : moved_components(text, place)) {
-      const auto way = moved_way<dim>(way_text, place);
-      for (const unsigned int c : components_named<dim>(name, place))
-        fix(mesh, layout, surface, place, c, way, moved_dofs);
-    }
+  for (const auto& [surface, text] : moved_supports) {
+    const std::size_t blank = text.find(' ');
+    if (blank == std::string::npos)
+      throw InputError(place + ": '" + text +
+                       "' is not a displacement component and mm; write it "
+                       "as u1 2.5");
+    const double way = moved_way(text.substr(blank), place);
+    for (const unsigned int c : components_named<dim>(text.substr(0, blank), place))
+      fix(mesh, layout, surface, place, c, way, moved_dofs);
+  }
   for (const auto& entry : moved_dofs)
     fixed_dofs.erase(entry.first);
 }
@@ -201,9 +162,8 @@ void BoundaryConditions<dim>::fix_temperatures(const Mesh<dim>& mesh,
     throw InputError(place + ": a uniform temperature is set by 'Value'; remove this entry or "
                              "choose Model = steady");
   for (const auto& [surface, theta] : temperatures)
-    fix(
-        mesh, layout, surface, place, layout.first_component(Field::temperature),
-        [theta = theta](const auto&) { return theta; }, heated_dofs);
+    fix(mesh, layout, surface, place, layout.first_component(Field::temperature), theta,
+        heated_dofs);
 }
 
 template <int dim>

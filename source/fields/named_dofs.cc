@@ -32,16 +32,16 @@ bool lies_on(const dealii::Point<dim>& p, const std::uint8_t mask)
 } // namespace
 
 template <int dim>
-std::map<dealii::types::global_dof_index, dealii::Point<dim>>
-placed_dofs_on(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string& surface,
-               const std::string& place, const unsigned int component)
+std::set<dealii::types::global_dof_index>
+dofs_on(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string& surface,
+        const std::string& place, const unsigned int component)
 {
   const auto& entities = mesh.surface(surface, place);
   if (entities.empty())
     throw InputError(place + ": surface '" + surface + "' touches no cell");
   const auto& points = layout.scalar_element().get_unit_support_points();
   std::vector<dealii::types::global_dof_index> indices;
-  std::map<dealii::types::global_dof_index, dealii::Point<dim>> dofs;
+  std::set<dealii::types::global_dof_index> dofs;
   for (const auto& [entity, vertices] : entities) {
     const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
         &mesh.triangulation(), entity->level(), entity->index(), &layout.dof_handler());
@@ -49,20 +49,8 @@ placed_dofs_on(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std:
     for (unsigned int a = 0; a < points.size(); ++a)
       if (lies_on<dim>(points[a], vertices))
         if (const auto i = layout.local_dof(cell->active_fe_index(), a, component))
-          dofs.emplace(indices[*i],
-                       layout.mapping().transform_unit_to_real_cell(entity, points[a]));
+          dofs.insert(indices[*i]);
   }
-  return dofs;
-}
-
-template <int dim>
-std::set<dealii::types::global_dof_index>
-dofs_on(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string& surface,
-        const std::string& place, const unsigned int component)
-{
-  std::set<dealii::types::global_dof_index> dofs;
-  for (const auto& entry : placed_dofs_on(mesh, layout, surface, place, component))
-    dofs.insert(entry.first);
   return dofs;
 }
 
@@ -91,13 +79,5 @@ template std::set<dealii::types::global_dof_index> dofs_on(const Mesh<2>&, const
 template std::set<dealii::types::global_dof_index> dofs_on(const Mesh<3>&, const FieldLayout<3>&,
                                                            const std::string&, const std::string&,
                                                            unsigned int);
-
-#define INSTANTIATE(dim)                                                                           \
-  template std::map<dealii::types::global_dof_index, dealii::Point<dim>> placed_dofs_on(           \
-      const Mesh<dim>&, const FieldLayout<dim>&, const std::string&, const std::string&,           \
-      unsigned int);
-INSTANTIATE(2)
-INSTANTIATE(3)
-#undef INSTANTIATE
 
 } // namespace thelma

@@ -12,6 +12,12 @@ void State::start(const double load)
   past = {{load, x, internal}};
 }
 
+void State::resume(std::vector<Accepted> path)
+{
+  past = std::move(path);
+  restore();
+}
+
 void State::restore()
 {
   x = past.back().x;

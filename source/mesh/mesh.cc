@@ -9,6 +9,8 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
+#include <boost/crc.hpp>
+
 #include <algorithm>
 
 namespace thelma
@@ -98,12 +100,10 @@ void Mesh<dim>::declare(dealii::ParameterHandler& prm)
   prm.add_parameter("Refinements", refinements,
                     "How often every cell is halved in each direction after meshing.",
                     Integer(0, 20));
-  prm.add_parameter(
-      "Curved", curved,
-      "Where edges between vertices are arcs: `nowhere`, or all of them `around x2`, "
-      "the axis of a tube, or `around the origin`, the centre of a sphere. Cells that "
-      "touch it keep straight edges.",
-      Selection("nowhere|around x2|around the origin"));
+  prm.add_parameter("Curved", curved,
+                    "Where edges between vertices are arcs: `nowhere`, or all of them `around x2`, "
+                    "the axis of a tube, or `around the origin`, the centre of a sphere.",
+                    Selection("nowhere|around x2|around the origin"));
   add_quantity(prm, "Imperfection", imperfection,
                "Amplitude of the displacement of the vertices before the calculation starts, so "
                "that the body leaves an unstable straight path.",
@@ -159,29 +159,15 @@ void Mesh<dim>::create_triangulation(const CoarseMesh& coarse)
                      " mm turns a cell inside out; choose a smaller one or a smoother shape");
   }
   tria.create_triangulation(vertices, cells, dealii::SubCellData());
-  if (is_curved())
-    curve();
-}
-
-template <int dim>
-void Mesh<dim>::curve()
-{
-  tria.set_all_manifold_ids(0);
-  const bool is_axis = dim == 3 && curved == "around x2";
-  for (const auto& cell : tria.active_cell_iterators())
-    for (const unsigned int v : cell->vertex_indices()) {
-      dealii::Point<dim> arm = cell->vertex(v);
-      if (is_axis)
-        arm[1] = 0.;
-      if (arm.norm() < 1e-9 * cell->diameter())
-        cell->set_all_manifold_ids(dealii::numbers::flat_manifold_id);
-    }
-  if constexpr (dim == 2)
-    tria.set_manifold(0, dealii::PolarManifold<dim>());
-  else if (is_axis)
-    tria.set_manifold(0, dealii::CylindricalManifold<dim>(1));
-  else
-    tria.set_manifold(0, dealii::SphericalManifold<dim>());
+  if (is_curved()) {
+    tria.set_all_manifold_ids(0);
+    if constexpr (dim == 2)
+      tria.set_manifold(0, dealii::PolarManifold<dim>());
+    else if (curved == "around x2")
+      tria.set_manifold(0, dealii::CylindricalManifold<dim>(1));
+    else
+      tria.set_manifold(0, dealii::SphericalManifold<dim>());
+  }
 }
 
 template <int dim>
@@ -270,6 +256,20 @@ void Mesh<dim>::find_entities(const CoarseMesh& coarse)
         for (const std::string& name : found->second)
           surfaces[name].push_back({cell, mask});
     }
+}
+
+template <int dim>
+std::uint32_t Mesh<dim>::fingerprint() const
+{
+  boost::crc_32_type sum;
+  for (const dealii::Point<dim>& vertex : tria.get_vertices())
+    sum.process_bytes(&vertex[0], dim * sizeof(double));
+  for (const auto& cell : tria.active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices()) {
+      const unsigned int index = cell->vertex_index(v);
+      sum.process_bytes(&index, sizeof(index));
+    }
+  return sum.checksum();
 }
 
 template <int dim>

@@ -27,8 +27,10 @@ void write_file(const std::string& file, const std::string& content)
   std::error_code error;
   if (stream)
     std::filesystem::rename(temporary, file, error);
-  if (!stream || error)
-    throw InputError("cannot write '" + file + "'; choose another --output folder or make room");
+  if (!stream || error) {
+    std::filesystem::remove(temporary, error);
+    throw WriteError("cannot write '" + file + "'; choose another --output folder or make room");
+  }
 }
 
 void Curve::add(const std::vector<double>& values)

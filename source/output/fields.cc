@@ -8,6 +8,7 @@
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
+#include <exception>
 #include <sstream>
 
 namespace thelma
@@ -98,6 +99,25 @@ private:
   const MaterialLibrary& materials;
 };
 
+/// The number @p step of the files @p name; throws WriteError on all ranks if one has no room.
+template <int dim>
+std::string write_pieces(const dealii::DataOut<dim>& out, const std::string& folder,
+                         const std::string& name, const unsigned int step, const MPI_Comm comm,
+                         const unsigned int digits)
+{
+  std::string file;
+  bool failed = false;
+  try {
+    file = out.write_vtu_with_pvtu_record(folder + "/", name, step, comm, digits);
+  } catch (const std::exception&) {
+    failed = true; // deal.II's sentence names no file
+  }
+  if (dealii::Utilities::MPI::logical_or(failed, comm))
+    throw WriteError("cannot write the fields into '" + folder +
+                     "'; choose another --output folder or make room");
+  return file;
+}
+
 /// Names and kinds of the solution's own components.
 template <int dim>
 void describe(const FieldLayout<dim>& layout, std::vector<std::string>& names,
@@ -142,12 +162,20 @@ void FieldWriter<dim>::write(const Scene<dim>& scene, const std::string& folder,
   out.build_patches(scene.layout.mapping(), scene.layout.degree(),
                     dealii::DataOut<dim>::curved_inner_cells);
   const std::string file =
-      out.write_vtu_with_pvtu_record(folder + "/", "fields", step, scene.layout.communicator(), 4);
+      write_pieces(out, folder, "fields", step, scene.layout.communicator(), 4);
 
   if (!written.empty() && written.back().first == load)
     written.pop_back(); // on the way to the state at time 0
   written.emplace_back(load, file);
-  on_rank_0(scene.layout.communicator(), [&]() {
+  write_list(scene.layout.communicator(), folder);
+}
+
+template <int dim>
+void FieldWriter<dim>::write_list(const MPI_Comm comm, const std::string& folder) const
+{
+  if (written.empty())
+    return;
+  on_rank_0(comm, [&]() {
     std::ostringstream pvd;
     dealii::DataOutBase::write_pvd_record(pvd, written);
     write_file(folder + "/fields.pvd", pvd.str());
@@ -168,7 +196,7 @@ void FieldWriter<dim>::write_mode(const Scene<dim>& scene, const std::string& fo
   dealii::DataOut<dim> out;
   out.add_data_vector(scene.layout.dof_handler(), mode, names, kinds);
   out.build_patches(scene.layout.degree());
-  out.write_vtu_with_pvtu_record(folder + "/", "mode", n_modes++, scene.layout.communicator(), 1);
+  write_pieces(out, folder, "mode", n_modes++, scene.layout.communicator(), 1);
 }
 
 template class FieldWriter<2>;

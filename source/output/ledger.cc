@@ -3,6 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cstring>
 #include <optional>
 
 namespace thelma
@@ -39,9 +40,12 @@ public:
 
   std::vector<double> evaluate(const Scene<dim>& scene) override
   {
+    auto& [start, past, work, loads, heat, entropy, produced] = sums;
     const Stock now = stock(scene);
     if (!scene.state.rates) // time has not begun
-      begin(scene, now);
+      sums = {now, now, 0., 0., 0., 0., 0.};
+    else
+      loads += load_work(scene);
     const double dt = scene.state.time - past.time;
     // What jumps at time 0 has no rate before the first step.
     const double before = past.time > 0. ? 0.5 : 0., after = 1. - before;
@@ -49,7 +53,6 @@ public:
     heat += dt * (before * past.inflow.heat + after * now.inflow.heat);
     entropy += dt * (before * past.inflow.entropy + after * now.inflow.entropy);
     produced += dt * (before * past.production + after * now.production);
-    loads += load_work(scene);
     past = now;
     const Energies& e = now.stored;
     const double change = e.elastic + e.electric + e.thermal -
@@ -67,6 +70,18 @@ public:
             e.entropy - start.stored.entropy - entropy - produced};
   }
 
+  std::vector<double> memory() const override
+  {
+    std::vector<double> numbers(sizeof(Sums) / sizeof(double));
+    std::memcpy(numbers.data(), &sums, sizeof(Sums));
+    return numbers;
+  }
+
+  void remember(const std::vector<double>& numbers) override
+  {
+    std::memcpy(&sums, numbers.data(), sizeof(Sums));
+  }
+
 private:
   struct Stock {
     Energies stored;
@@ -74,15 +89,21 @@ private:
     double time, voltage, charge, production; ///< s, kV, uC, mW/K
   };
 
+  /// What has come together since the start.
+  struct Sums {
+    Stock start, past;
+    double work, loads, heat, entropy, produced;
+  };
+
   Stock stock(const Scene<dim>& scene) const
   {
     Energies own = scene.system.energies();
     if (scene.layout.has(Field::temperature))
       own.add(1., scene.heat.stored(scene.state, theta_0));
-    const std::vector<double> sums{own.elastic, own.electric,  own.thermal,
-                                   own.entropy, charge(scene), production(scene)};
-    std::vector<double> total(sums.size());
-    dealii::Utilities::MPI::sum(sums, scene.layout.communicator(), total);
+    const std::vector<double> parts{own.elastic, own.electric,  own.thermal,
+                                    own.entropy, charge(scene), production(scene)};
+    std::vector<double> total(parts.size());
+    dealii::Utilities::MPI::sum(parts, scene.layout.communicator(), total);
     return {{total[0], total[1], total[2], total[3]},
             scene.state.inflow,
             scene.state.time,
@@ -91,27 +112,16 @@ private:
             total[5]};
   }
 
-  void begin(const Scene<dim>& scene, const Stock& now)
+  /// What dead loads and pressures have done since the last accepted state, in mJ.
+  static double load_work(const Scene<dim>& scene)
   {
-    past = start = now;
-    work = loads = heat = entropy = produced = 0.;
-    load_work(scene);
-  }
-
-  /// On the way from the last state, in mJ.
-  double load_work(const Scene<dim>& scene)
-  {
-    BlockVector x = scene.state.x, forces = scene.system.present_loads();
-    x.zero_out_ghost_values();
-    double done = 0.;
-    if (past_x.size() > 0) {
-      BlockVector way = x;
-      way -= past_x;
-      done = 0.5 * (forces * way + past_forces * way);
-    }
-    past_x = x;
-    past_forces = forces;
-    return done;
+    const auto& path = scene.state.path();
+    const BlockVector& before = path[path.size() - 2].x;
+    BlockVector way = scene.state.x, forces = scene.system.loads_at(scene.state.x);
+    way.zero_out_ghost_values();
+    way -= before;
+    forces += scene.system.loads_at(before);
+    return 0.5 * (forces * way);
   }
 
   static double charge(const Scene<dim>& scene)
@@ -143,9 +153,7 @@ private:
 
   std::optional<Integration<dim>> rule;
   double theta_0 = 293.;
-  Stock start{}, past{};
-  BlockVector past_x, past_forces;
-  double work = 0., loads = 0., heat = 0., entropy = 0., produced = 0.;
+  Sums sums{};
 };
 
 } // namespace

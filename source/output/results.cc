@@ -1,4 +1,5 @@
 #include <thelma/base/complaints.h>
+#include <thelma/base/quantity.h>
 #include <thelma/base/version.h>
 #include <thelma/output/results.h>
 #include <thelma/output/run_report.h>
@@ -15,11 +16,28 @@
 namespace thelma
 {
 
+namespace
+{
+
+/// Than all of the files @p inputs that there are.
+bool is_younger(const std::string& file, const std::vector<std::string>& inputs)
+{
+  const auto end = std::filesystem::last_write_time(file);
+  return std::none_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
+    std::error_code unknown;
+    const auto change = std::filesystem::last_write_time(input, unknown);
+    return !unknown && change > end;
+  });
+}
+
+} // namespace
+
 template <int dim>
 Results<dim>::Results(const MPI_Comm comm, const ParameterFile& file, std::string folder,
                       std::ostream& console, Timings& timings)
     : comm(comm), file_name(file.name()), folder(std::move(folder)),
-      console(console, dealii::Utilities::MPI::this_mpi_process(comm) == 0), timings(timings)
+      console(console, dealii::Utilities::MPI::this_mpi_process(comm) == 0), timings(timings),
+      checkpoints(this->folder)
 {
   file.peek([&](dealii::ParameterHandler& choices) {
     const Section section(choices, {"Output"});
@@ -49,6 +67,10 @@ void Results<dim>::declare(dealii::ParameterHandler& prm)
       for (const std::string& name : dealii::Utilities::split_string_list(names))
         observables<dim>().create(name); // answers an unknown one
     });
+    add_quantity(prm, "Checkpoint interval", checkpoint_interval,
+                 "At least so long lies between two checkpoints, from which a run that was killed "
+                 "goes on; 0: one after every step.",
+                 Quantity("s", 0.));
   }
   fields.declare(prm);
   expectations.declare(prm);
@@ -93,29 +115,59 @@ bool Results<dim>::finished(const std::string& parameters,
   used << std::ifstream(folder + "/used.prm").rdbuf();
   if (!outcome || !outcome->is_lasting() || used.str() != parameters)
     return false;
-  const auto end = std::filesystem::last_write_time(report);
-  for (const std::string& input : inputs) {
-    std::error_code unknown;
-    const auto change = std::filesystem::last_write_time(input, unknown);
-    if (!unknown && change > end)
-      return false;
-  }
-  return true;
+  return is_younger(report, inputs);
 }
 
 template <int dim>
-void Results<dim>::start(const std::string& parameters, const Outcome& outcome, const double theta)
+void Results<dim>::start(const std::string& parameters, const Outcome& outcome, const double theta,
+                         const bool continued)
 {
   on_rank_0(comm, [&]() {
     create_folder(folder);
     std::filesystem::remove(folder + "/run.json"); // the report of an earlier run
+    if (!continued)
+      checkpoints.remove();
     write_file(folder + "/used.prm", parameters);
+    if (continued && !curve->empty())
+      curve->write(folder + "/curve.csv");
   });
+  if (continued)
+    fields.write_list(comm, folder);
   console << "Thelma " << version << ", " << file_name << " on " << outcome.ranks << " rank(s), "
           << outcome.cells << " cells\n";
   for (const std::string& line : outcome.modelled)
     console << "  " << line << "\n";
-  console << "  temperature: " << theta << " K\n" << std::flush;
+  console << "  temperature: " << theta << " K\n";
+  if (continued)
+    console << "  continued after " << curve->n_rows() << " steps and " << std::setprecision(3)
+            << seconds_before << " s\n";
+  console << std::flush;
+}
+
+template <int dim>
+void Results<dim>::write_checkpoint(const std::string& content)
+{
+  const auto timer = timings.measure("output");
+  on_rank_0(comm, [&]() { checkpoints.write(content); });
+  since_checkpoint = {};
+}
+
+template <int dim>
+std::optional<std::string> Results<dim>::read_checkpoint(const std::vector<std::string>& inputs)
+{
+  std::optional<std::string> content;
+  on_rank_0(comm, [&]() {
+    std::vector<std::string> damaged;
+    if (checkpoints.exist())
+      content = checkpoints.read(damaged);
+    if (content && !is_younger(checkpoints.newest_file(), inputs))
+      content.reset();
+    for (const std::string& file : damaged)
+      console << "  the checkpoint '" << file << "' is damaged and left out\n";
+  });
+  if (!dealii::Utilities::MPI::broadcast(comm, content.has_value()))
+    return {};
+  return dealii::Utilities::MPI::broadcast(comm, content.value_or(""));
 }
 
 template <int dim>
@@ -135,7 +187,7 @@ void Results<dim>::add(const Scene<dim>& scene, const PathPoint& point, const Ne
   row.push_back(report.iterations);
   if (scene.system.iterates())
     row.push_back(report.linear_iterations);
-  row.push_back(stopwatch.seconds());
+  row.push_back(seconds());
   curve->add(row);
   curve->set_event(point.event);
   on_rank_0(comm, [&]() { curve->write(folder + "/curve.csv"); });
@@ -189,7 +241,7 @@ void Results<dim>::print_step(const Scene<dim>& scene, const PathPoint& point,
        << "  step size " << point.step_size;
   if (point.part > 0.)
     line << "  left at most " << std::fixed << std::setprecision(1)
-         << stopwatch.seconds() * (1. - point.part) / point.part << " s";
+         << seconds() * (1. - point.part) / point.part << " s";
   console << line.str() << "\n" << std::flush;
 }
 
@@ -210,12 +262,14 @@ void Results<dim>::finish(const Scene<dim>& scene, Outcome& outcome)
     for (const std::string& column : curve->names())
       outcome.final_values.emplace_back(column, *curve->newest(column));
   }
-  outcome.seconds = stopwatch.seconds();
+  outcome.seconds = seconds();
   outcome.seconds_per_phase = timings.seconds();
   on_rank_0(comm, [&]() {
     if (!curve->empty())
       curve->write(folder + "/curve.csv");
     write_run_report(outcome, file_name, folder + "/run.json");
+    if (outcome.is_lasting())
+      checkpoints.remove();
   });
   console << "  " << outcome.summary() << "\n" << std::flush;
 }

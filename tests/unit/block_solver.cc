@@ -84,19 +84,35 @@ TEST(BlockSolver, SaysThatItDidNotConverge)
   EXPECT_FALSE(scene.system.knows_stability());
 }
 
+LinearProblem body(const unsigned int dimension, const unsigned long long unknowns)
+{
+  LinearProblem problem;
+  problem.dimension = dimension;
+  problem.unknowns = unknowns;
+  problem.pressures_can_be_kept = true;
+  return problem;
+}
+
 TEST(LinearChoice, GoesBySizeDimensionAndWhatTheRunNeeds)
 {
   const LinearSettings automatic;
-  EXPECT_EQ(choose_linear_solver(automatic, {3, 1000000, true, false}).solver, "block");
-  EXPECT_EQ(choose_linear_solver(automatic, {3, 10000, true, false}).solver, "direct");
-  EXPECT_EQ(choose_linear_solver(automatic, {2, 1000000, true, false}).solver, "direct");
-  EXPECT_EQ(choose_linear_solver(automatic, {3, 1000000, false, false}).solver, "direct");
-  EXPECT_EQ(choose_linear_solver(automatic, {3, 1000000, true, true}).solver, "direct");
+  EXPECT_EQ(choose_linear_solver(automatic, body(3, 1000000)).solver, "block");
+  EXPECT_EQ(choose_linear_solver(automatic, body(3, 10000)).solver, "direct");
+  EXPECT_EQ(choose_linear_solver(automatic, body(2, 1000000)).solver, "direct");
+  LinearProblem flat = body(3, 1000000);
+  flat.flatness = 20.;
+  EXPECT_EQ(choose_linear_solver(automatic, flat).solver, "direct");
+  LinearProblem condensed = body(3, 1000000);
+  condensed.pressures_can_be_kept = false;
+  EXPECT_EQ(choose_linear_solver(automatic, condensed).solver, "direct");
+  LinearProblem counted = body(3, 1000000);
+  counted.needs_inertia = true;
+  EXPECT_EQ(choose_linear_solver(automatic, counted).solver, "direct");
   LinearSettings block;
   block.solver = "block";
-  EXPECT_EQ(choose_linear_solver(block, {3, 10, true, false}).solver, "block");
-  EXPECT_THROW(choose_linear_solver(block, {3, 10, false, false}), InputError);
-  EXPECT_THROW(choose_linear_solver(block, {3, 10, true, true}), InputError);
+  EXPECT_EQ(choose_linear_solver(block, body(3, 10)).solver, "block");
+  EXPECT_THROW(choose_linear_solver(block, condensed), InputError);
+  EXPECT_THROW(choose_linear_solver(block, counted), InputError);
 }
 
 } // namespace

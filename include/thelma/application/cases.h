@@ -13,8 +13,9 @@ namespace thelma
 /// One combination of swept values.
 struct Case {
   std::vector<Override> changes;
-  std::string name;   ///< such as `Temperature.Value=273`, also of its folder
-  std::string folder; ///< in that of the study
+  std::vector<Override> overrides; ///< these and those of all cases
+  std::string name;                ///< such as `Temperature.Value=273`, also of its folder
+  std::string folder;              ///< in that of the study
   ParameterFile file;
   std::optional<Outcome> outcome; ///< once it is known
 };

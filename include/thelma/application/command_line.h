@@ -18,7 +18,8 @@ struct Sweep {
 struct CommandLine {
   enum class Action { run, check, list, defaults, version, help };
 
-  /// `@FILE` stands for the arguments in that file. Throws InputError for what it does not
+  /// `@FILE` stands for the arguments in that file, `--restart DIR` for those with which the run in
+  /// DIR was started, in the folder where it was. Throws InputError for what it does not
   /// understand.
   static CommandLine parse(const std::vector<std::string>& arguments);
 
@@ -31,6 +32,8 @@ struct CommandLine {
   std::vector<Sweep> sweeps;
   unsigned int ranks_per_case = 1;
   bool estimates = false; ///< of the mesh's error
+  bool restarts = false;
+  std::vector<std::string> arguments; ///< all of them, none that stands for others
 };
 
 } // namespace thelma

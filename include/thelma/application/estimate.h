@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/base/parameters.h>
+#include <thelma/application/command_line.h>
 #include <thelma/output/outcome.h>
 
 #include <iosfwd>
@@ -16,13 +16,11 @@ struct Estimate {
   double value, error;
 };
 
-/// Run the scene in @p file with @p overrides, then once more with every cell halved, and compare
+/// Run the scene of @p line, then once more with every cell halved, and compare
 /// (Richardson): where errors fall as h^p, that of the given mesh is the difference times
 /// 1 / (1 - 2^-p). p is taken to be the polynomial degree, which smooth solutions surpass. Prints
 /// the estimates and writes them to estimate.csv; returns the outcome of the given mesh.
-Outcome run_with_estimate(MPI_Comm comm, const std::string& file,
-                          const std::vector<Override>& overrides, const std::string& folder,
-                          std::ostream& console);
+Outcome run_with_estimate(MPI_Comm comm, const CommandLine& line, std::ostream& console);
 
 /// Compare the ends of two runs: the fields of their pull-ins, or the values at their target.
 /// Empty if they ended differently. @p factor: error per difference.

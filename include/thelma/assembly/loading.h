@@ -32,6 +32,12 @@ struct Levels {
            : kind == Stage::Kind::pressure ? pressure
                                            : motion;
   }
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& voltage& charge& force& pressure& motion;
+  }
 };
 
 /// What the load factor means: a voltage in kV, a charge in uC or a dimensionless nominal field

@@ -52,6 +52,13 @@ public:
   /// Choose the next order by the surprise of the accepted state, or after a failure.
   void adapt(double surprise);
 
+  /// What it has learnt on the way.
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& order;
+  }
+
 private:
   /// The newest accepted states that the present order asks for.
   std::vector<State::Accepted> recent() const;

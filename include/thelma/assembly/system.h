@@ -79,8 +79,8 @@ public:
   /// From now on these pressures act, as they are applied.
   void set_pressure(const FollowerPressure<dim>& acting) { pressure = &acting; }
 
-  /// The present loads: forces in N, minus charges in uC, heat flows in mW.
-  BlockVector present_loads() const;
+  /// What acts at the nodal values @p x: forces in N, minus charges in uC, heat flows in mW.
+  BlockVector loads_at(const BlockVector& x) const;
 
   /// What enters through the walls, all of them, at the newest residual.
   HeatInflow heat_inflow() const;

@@ -15,6 +15,7 @@ enum class ExitCode {
   bad_input = 1,
   expectation_failed = 2,
   not_converged = 3,
+  stopped = 4,
   internal_error = 70
 };
 
@@ -29,6 +30,13 @@ public:
   explicit InputError(const std::vector<std::string>& sentences);
 
   std::vector<std::string> sentences() const;
+};
+
+/// A file cannot be written, for one because the disk is full; nothing is wrong with the scene.
+class WriteError : public InputError
+{
+public:
+  using InputError::InputError;
 };
 
 /// `a, b, c`, the tail of every "known ones are" sentence.
@@ -46,16 +54,21 @@ template <typename Action>
 void on_rank_0(const MPI_Comm comm, Action action)
 {
   std::string complaint;
+  bool is_about_writing = false;
   if (dealii::Utilities::MPI::this_mpi_process(comm) == 0) {
     try {
       action();
     } catch (const InputError& error) {
       complaint = error.what();
+      is_about_writing = dynamic_cast<const WriteError*>(&error) != nullptr;
     }
   }
   complaint = dealii::Utilities::MPI::broadcast(comm, complaint);
-  if (!complaint.empty())
-    throw InputError(complaint);
+  if (complaint.empty())
+    return;
+  if (dealii::Utilities::MPI::broadcast(comm, is_about_writing))
+    throw WriteError(complaint);
+  throw InputError(complaint);
 }
 
 } // namespace thelma

@@ -36,7 +36,7 @@ public:
   ParameterFile(std::string path, const std::vector<Override>& overrides);
 
   /// The same from memory.
-  static ParameterFile from_text(const std::string& text);
+  static ParameterFile from_text(const std::string& text, const std::string& name = "parameters");
 
   /// Read only what @p declare declares, ignore everything else.
   void peek(const std::function<void(dealii::ParameterHandler&)>& declare) const;

@@ -39,6 +39,16 @@ public:
   Scope measure(const std::string& phase) { return Scope(phases[phase]); }
   const std::map<std::string, double>& seconds() const { return phases; }
 
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    const std::map<std::string, double> here = phases;
+    archive& phases;
+    if (Archive::is_loading::value)
+      for (const auto& [phase, seconds] : here)
+        phases[phase] += seconds;
+  }
+
 private:
   std::map<std::string, double> phases;
 };

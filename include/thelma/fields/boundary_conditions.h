@@ -4,7 +4,6 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -58,11 +57,9 @@ public:
 
 private:
   using Values = std::map<dealii::types::global_dof_index, double>;
-  using Value = std::function<double(const dealii::Point<dim>&)>;
 
   static void fix(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string& surface,
-                  const std::string& place, unsigned int component, const Value& value,
-                  Values& values);
+                  const std::string& place, unsigned int component, double value, Values& values);
   void fix_supports(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
   void fix_moved_supports(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
   void collect_driven();

@@ -2,7 +2,6 @@
 
 #include <thelma/fields/layout.h>
 
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -17,12 +16,6 @@ template <int dim>
 std::set<dealii::types::global_dof_index>
 dofs_on(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string& surface,
         const std::string& place, unsigned int component);
-
-/// The same with their places on the undeformed body.
-template <int dim>
-std::map<dealii::types::global_dof_index, dealii::Point<dim>>
-placed_dofs_on(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string& surface,
-               const std::string& place, unsigned int component);
 
 /// Directions (from 0) named by a text such as "u1 u3". Throws InputError, with @p place in the
 /// sentence.

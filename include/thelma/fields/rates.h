@@ -29,6 +29,12 @@ struct Rates {
       rate -= weights[k + 1] * (now - past(k));
     return rate;
   }
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& weights& n_past& heat;
+  }
 };
 
 /// The differences of @p order 1 or 2 at the @p time, given the @p times of the accepted states,

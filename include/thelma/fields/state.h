@@ -13,14 +13,30 @@ namespace thelma
 struct HeatInflow {
   double heat = 0.;    ///< mW
   double entropy = 0.; ///< the same over the temperature where it enters, mW/K
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& heat& entropy;
+  }
 };
 
 /// The iterate, the load it belongs to, and the accepted states behind it.
 class State
 {
 public:
+  /// An accepted state.
+  struct Accepted {
+    double load;
+    BlockVector x;
+    std::vector<double> internal;
+  };
+
   /// Begin a path at @p load with the iterate as its accepted start.
   void start(double load = 0.);
+
+  /// Stand at the end of a @p path that has been accepted before.
+  void resume(std::vector<Accepted> path);
 
   /// Remember the iterate as the converged state at the load factor @p load.
   void accept(double load);
@@ -41,15 +57,22 @@ public:
     return past.back().load - past[past.size() < 3 ? 0 : past.size() - 3].load;
   }
 
-  /// An accepted state.
-  struct Accepted {
-    double load;
-    BlockVector x;
-    std::vector<double> internal;
-  };
-
   /// The last accepted states (at most `memory`), the newest last.
   const std::vector<Accepted>& path() const { return past; }
+
+  /// All but the accepted states.
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    bool has_rates = rates.has_value();
+    archive& voltage& charge& theta& time& inflow& has_rates;
+    if (!has_rates)
+      rates.reset();
+    else if (!rates)
+      rates.emplace();
+    if (has_rates)
+      archive&* rates;
+  }
 
   BlockVector x;                ///< values of all fields, with ghosts
   std::vector<double> internal; ///< unknowns inside the own cells, such as element pressures

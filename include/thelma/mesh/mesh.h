@@ -54,6 +54,9 @@ public:
   /// Smallest Jacobian at a vertex over the product of the edges there: 1 in a mesh of boxes.
   double shape() const { return worst_shape; }
 
+  /// A checksum of all vertices and cells.
+  std::uint32_t fingerprint() const;
+
   /// Faces, lines or points of the named group, on every cell that has them.
   /// Throws InputError, with @p place in the sentence, when there is no such group.
   const std::vector<Entity>& surface(const std::string& name, const std::string& place) const;
@@ -61,7 +64,6 @@ public:
 
 private:
   void create_triangulation(const CoarseMesh& coarse);
-  void curve();
   void displace(std::vector<dealii::Point<dim>>& vertices) const;
   void check_shapes(const std::vector<dealii::Point<dim>>& vertices,
                     const std::vector<dealii::CellData<dim>>& cells, const std::string& complaint);

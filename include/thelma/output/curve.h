@@ -28,10 +28,22 @@ public:
   /// Newest value of @p column, or nothing if there is no such column or row.
   const double* newest(const std::string& column) const;
 
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& rows;
+  }
+
 private:
   struct Row {
     std::vector<double> values;
     std::string event;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned int)
+    {
+      archive& values& event;
+    }
   };
   std::vector<std::string> columns;
   std::vector<Row> rows;
@@ -41,7 +53,7 @@ private:
 void create_folder(const std::string& folder);
 
 /// Write @p content to @p file through a temporary file, so that a reader never sees half of it.
-/// Throws InputError if the folder cannot be written.
+/// Throws WriteError if there is no room.
 void write_file(const std::string& file, const std::string& content);
 
 } // namespace thelma

@@ -23,6 +23,16 @@ public:
   /// Write a displacement and the other fields that go with it, as the next mode.
   void write_mode(const Scene<dim>& scene, const std::string& folder, BlockVector mode);
 
+  /// Write the .pvd.
+  void write_list(MPI_Comm comm, const std::string& folder) const;
+
+  /// What has been written so far.
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& n_modes& written;
+  }
+
 private:
   unsigned int n_modes = 0;
   std::string frequency = "last";

@@ -42,6 +42,10 @@ public:
 
   /// Once per accepted step, in order, so that angles can be followed past a full turn.
   virtual std::vector<double> evaluate(const Scene<dim>& scene) = 0;
+
+  /// All that evaluate() remembers of earlier steps, for a checkpoint, and back.
+  virtual std::vector<double> memory() const { return {}; }
+  virtual void remember(const std::vector<double>&) {}
 };
 
 template <int dim>

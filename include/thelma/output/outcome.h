@@ -18,6 +18,12 @@ namespace thelma
 struct Bracket {
   double e_below, e_above;
   double e_estimated; ///< vertex of the parabola through the last three states
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& e_below& e_above& e_estimated;
+  }
 };
 
 /// How a run ended and what it cost.
@@ -37,11 +43,24 @@ struct Outcome {
   std::vector<std::string> modelled;
   std::vector<std::pair<std::string, double>> final_values; ///< newest row of the curve
 
-  /// Whether the same run would end alike: not after an error that the input or the program can
-  /// lose while the parameters stay the same.
+  /// Whether the same run would end alike: not after it was stopped, nor after an error that the
+  /// input or the program can lose while the parameters stay the same.
   bool is_lasting() const
   {
-    return code != ExitCode::bad_input && code != ExitCode::internal_error;
+    return code != ExitCode::bad_input && code != ExitCode::internal_error &&
+           code != ExitCode::stopped;
+  }
+
+  /// What is known of it on the way.
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    bool has_pull_in = pull_in.has_value();
+    archive& failed_steps& effort& has_pull_in;
+    if (has_pull_in && !pull_in)
+      pull_in.emplace();
+    if (has_pull_in)
+      archive&* pull_in;
   }
 
   /// One line for the console.

@@ -2,6 +2,7 @@
 
 #include <thelma/base/parameters.h>
 #include <thelma/base/timings.h>
+#include <thelma/output/checkpoints.h>
 #include <thelma/output/fields.h>
 #include <thelma/output/outcome.h>
 #include <thelma/solvers/newton.h>
@@ -10,6 +11,7 @@
 
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,8 +48,32 @@ public:
   bool finished(const std::string& parameters, const std::vector<std::string>& inputs) const;
 
   /// Create the folder with used.prm, a copy of @p parameters, and print what is @p outcome
-  /// .modelled.
-  void start(const std::string& parameters, const Outcome& outcome, double theta);
+  /// .modelled. Of a run that is @p continued only what the checkpoint does not know goes.
+  void start(const std::string& parameters, const Outcome& outcome, double theta, bool continued);
+
+  /// Whether so long a time has passed since the last checkpoint that it is worth another.
+  bool checkpoint_is_due() const { return since_checkpoint.seconds() >= checkpoint_interval; }
+  void write_checkpoint(const std::string& content);
+
+  /// The newest checkpoint on all ranks; none unless it is younger than the files @p inputs.
+  std::optional<std::string> read_checkpoint(const std::vector<std::string>& inputs);
+
+  /// How to go on after the run was stopped.
+  std::string advice() const { return "go on with thelma --restart " + folder; }
+
+  /// What has been left so far.
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    double spent = seconds();
+    std::vector<std::vector<double>> memories;
+    for (const auto& entry : observed)
+      memories.push_back(entry.second->memory());
+    archive& spent& timings& fields&* curve& memories;
+    for (std::size_t i = 0; i < observed.size(); ++i)
+      observed[i].second->remember(memories[i]);
+    seconds_before = spent - stopwatch.seconds();
+  }
 
   void add(const Scene<dim>& scene, const PathPoint& point, const NewtonReport& report);
 
@@ -73,13 +99,17 @@ private:
   /// Where the fields of the state stand in the .pvd: time or load.
   static double abscissa(const Scene<dim>& scene, double load);
 
+  double seconds() const { return seconds_before + stopwatch.seconds(); }
   void print_step(const Scene<dim>& scene, const PathPoint& point, const NewtonReport& report);
 
   MPI_Comm comm;
   std::string file_name, folder;
   dealii::ConditionalOStream console;
   Timings& timings;
-  Stopwatch stopwatch;
+  Stopwatch stopwatch, since_checkpoint;
+  double seconds_before = 0.; ///< of the run that is continued
+  double checkpoint_interval = 60.;
+  Checkpoints checkpoints;
   std::vector<std::pair<std::string, std::unique_ptr<Observable<dim>>>> observed;
   std::vector<std::pair<std::string, std::unique_ptr<Observable<dim>>>>
       meant; ///< by an unknown name

@@ -60,6 +60,13 @@ public:
   /// The plane across the direction (@p u, @p load), without its place.
   Plane across(const Displacement& u, double load) const;
 
+  /// What is known of it on the way.
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& weight;
+  }
+
 private:
   double weight = 1.;
   std::optional<Displacement> chosen;
@@ -102,6 +109,12 @@ public:
 
   /// @p surprise: distance of the state from its guess over the length of the step.
   void accept(unsigned int newton_iterations, double surprise, double longest);
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& size& smallest;
+  }
 
 private:
   double size = 0., smallest = 0.;

@@ -46,6 +46,12 @@ struct NewtonEffort {
     factorisations += other.factorisations;
     linear_iterations += other.linear_iterations;
   }
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& iterations& factorisations& linear_iterations;
+  }
 };
 
 /// Outcome of one nonlinear solve; a failure is a value.

@@ -37,6 +37,13 @@ public:
   /// Smallest load factor known to fail; above 1 if there is none.
   double failed() const { return upper; }
 
+  /// How far it has come.
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& resolution& load& size& trial& upper& failed_from& expected_limit;
+  }
+
 private:
   double initial = 0.05, largest = 0.1;
   unsigned int easy = 4, hard = 8;

@@ -37,6 +37,13 @@ public:
   double step() const { return size; }
   double final_time() const { return end; }
 
+  /// How far it has come.
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& time& trial& size& stops;
+  }
+
 private:
   double end = 1., initial = 0.01, largest = 1e300, tolerance = 0.1;
   std::string scheme = "BDF2";

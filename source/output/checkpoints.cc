@@ -1,0 +1,127 @@
+#include <thelma/base/error.h>
+#include <thelma/output/checkpoints.h>
+
+#include <boost/crc.hpp>
+
+#include <array>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <unistd.h>
+
+namespace thelma
+{
+namespace
+{
+
+constexpr char kind[] = "Thelma checkpoint 1\n";
+
+struct Header {
+  std::uint64_t number, size, checksum;
+};
+
+std::uint32_t checksum(const std::uint64_t number, const std::string& content)
+{
+  boost::crc_32_type sum;
+  const std::uint64_t numbers[]{number, content.size()};
+  sum.process_bytes(numbers, sizeof(numbers));
+  sum.process_bytes(content.data(), content.size());
+  return sum.checksum();
+}
+
+/// Have the system write all it holds back of a file or folder.
+bool flush(const std::string& name)
+{
+  const int descriptor = ::open(name.c_str(), O_RDONLY);
+  const bool done = descriptor >= 0 && fsync(descriptor) == 0;
+  ::close(descriptor);
+  return done;
+}
+
+} // namespace
+
+std::string Checkpoints::name(const unsigned int place) const
+{
+  return folder + "/checkpoint." + std::to_string(place);
+}
+
+void Checkpoints::write(const std::string& content)
+{
+  std::vector<std::string> damaged;
+  if (!searched)
+    find_newest(damaged);
+  const std::uint64_t number = newest ? *newest + 1 : 0;
+  const std::string file = name(number % 2), temporary = folder + "/checkpoint.part";
+  Header header{};
+  header.number = number;
+  header.size = content.size();
+  header.checksum = checksum(number, content);
+  std::ofstream stream(temporary, std::ios::binary);
+  stream.write(kind, sizeof(kind));
+  stream.write(reinterpret_cast<const char*>(&header), sizeof(header));
+  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  stream.close();
+  std::error_code error;
+  const bool written = stream && flush(temporary);
+  if (written)
+    std::filesystem::rename(temporary, file, error);
+  if (!written || error) {
+    std::filesystem::remove(temporary, error);
+    throw WriteError("cannot write the checkpoint '" + file +
+                     "'; make room, the one before it is kept");
+  }
+  flush(folder);
+  newest = number;
+}
+
+std::optional<Checkpoints::Content> Checkpoints::content(const std::string& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  std::array<char, sizeof(kind)> start{};
+  Header header{};
+  stream.read(start.data(), start.size());
+  stream.read(reinterpret_cast<char*>(&header), sizeof(header));
+  if (!stream || std::memcmp(start.data(), kind, sizeof(kind)) != 0)
+    return {};
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (text.size() != header.size || checksum(header.number, text) != header.checksum)
+    return {};
+  return Content{header.number, text};
+}
+
+void Checkpoints::find_newest(std::vector<std::string>& damaged)
+{
+  newest.reset();
+  searched = true;
+  for (const unsigned int place : {0u, 1u}) {
+    if (!std::filesystem::exists(name(place)))
+      continue;
+    if (const auto found = content(name(place)); !found || found->number % 2 != place)
+      damaged.push_back(name(place));
+    else if (!newest || found->number > *newest)
+      newest = found->number;
+  }
+}
+
+std::optional<std::string> Checkpoints::read(std::vector<std::string>& damaged)
+{
+  find_newest(damaged);
+  if (!newest)
+    return {};
+  return content(newest_file())->text;
+}
+
+bool Checkpoints::exist() const
+{
+  return std::filesystem::exists(name(0)) || std::filesystem::exists(name(1));
+}
+
+void Checkpoints::remove() const
+{
+  for (const std::string& file : {name(0), name(1), folder + "/checkpoint.part"})
+    std::filesystem::remove(file);
+}
+
+} // namespace thelma
