@@ -25,8 +25,7 @@ std::string balloon(const int degree)
          std::to_string(degree) +
          "\n set Formulation = mean dilatation\nend\n"
          "subsection Supports\n set Fixed = x1_min: u1, x2_min: u2, x3_min: u3\nend\n"
-         "subsection Electrodes\n set Potential = outer: 0, inner: 1\nend\n"
-         "subsection Loads\n set Pressure = inner: 0.5, outer: 0.2\nend\n";
+         "subsection Electrodes\n set Potential = outer: 0, inner: 1\nend\n";
 }
 
 std::string tube()
@@ -36,8 +35,7 @@ std::string tube()
          "subsection Regions\n set Materials = wall: elastomer\nend\n"
          "subsection Discretisation\n set Degree = 2\n set Formulation = mean dilatation\nend\n"
          "subsection Supports\n set Fixed = x1_axis: u3, x3_axis: u1\nend\n"
-         "subsection Electrodes\n set Potential = outer: 0, inner: 1\nend\n"
-         "subsection Loads\n set Pressure = inner: 0.5, outer: 0.2\nend\n";
+         "subsection Electrodes\n set Potential = outer: 0, inner: 1\nend\n";
 }
 
 /// A scene under pressure in a random state.
@@ -47,11 +45,11 @@ struct Pressed {
   {
     dealii::ParameterHandler prm;
     pressure.declare(prm);
-    scene.file.read(prm);
+    prm.parse_input_from_string("subsection Loads\n set Pressure = inner: 0.5, outer: 0.2\nend\n");
     pressure.setup(scene.mesh, scene.layout, scene.conditions);
     pressure.apply(1.3);
     scene.system.set_pressure(pressure);
-    add_noise(scene, {0.1, 1., 0.}, scene.state.x);
+    add_noise(scene, {0.03, 1., 0.}, scene.state.x);
     scene.system.relax_internal();
   }
 
@@ -126,8 +124,30 @@ void check_tangent(const std::string& text)
   for (unsigned int b = 0; b < slope.n_blocks(); ++b) {
     auto difference = product.block(b);
     difference -= slope.block(b);
-    EXPECT_LT(difference.l2_norm() / slope.block(b).l2_norm(), 1e-6) << "block " << b;
+    EXPECT_LE(difference.l2_norm(), 1e-6 * slope.block(b).l2_norm()) << "block " << b;
   }
+}
+
+/// Of the pressure alone, so that the stiffness of the rubber hides nothing.
+template <int dim>
+void check_own_tangent(const std::string& text)
+{
+  Pressed<dim> pressed(text);
+  TestScene<dim>& scene = pressed.scene;
+  BlockVector direction = scene.layout.new_vector(), slope = direction, product = direction;
+  add_noise(scene, {1e-2, 0., 0.}, direction);
+  TangentMatrix<dim> tangent;
+  tangent.setup(scene.layout, scene.conditions);
+  tangent.clear();
+  pressed.pressure.add_tangent(scene.state.x, tangent);
+  tangent.finish();
+  tangent.matrix().vmult(product, direction);
+  differentiate(
+      scene, direction, [&]() { return scene.system.loads_at(scene.state.x); },
+      [&](const double weight, const BlockVector& forces) { slope.add(-weight, forces); });
+  scene.conditions.constraints().set_zero(slope);
+  product -= slope;
+  EXPECT_LT(product.l2_norm(), 1e-9 * slope.l2_norm());
 }
 
 TEST(FollowerPressure, ForcesAreTheGradientOfTheEnclosedVolume)
@@ -139,6 +159,9 @@ TEST(FollowerPressure, ForcesAreTheGradientOfTheEnclosedVolume)
 
 TEST(FollowerPressureTangent, IsTheDerivativeOfTheResidual)
 {
+  check_own_tangent<3>(balloon(1));
+  check_own_tangent<3>(balloon(2));
+  check_own_tangent<2>(tube());
   check_tangent<3>(balloon(1));
   check_tangent<3>(balloon(2));
   check_tangent<2>(tube());
@@ -149,12 +172,13 @@ TEST(FollowerPressureTangent, IsTheDerivativeOfTheResidual)
 TEST(FollowerPressureTangent, GivesNewtonSecondOrder)
 {
   Pressed<3> pressed(balloon(2));
+  pressed.pressure.apply(0.1); // about the shear modulus: more, and directions lose their stiffness
   TestScene<3>& scene = pressed.scene;
   const BlockVector solution = scene.state.x;
   ASSERT_TRUE(scene.system.residual().admissible());
   const BlockVector forces = scene.system.free_residual();
   BlockVector direction = scene.layout.new_vector();
-  add_noise(scene, {3e-3, 3e-2, 0.}, direction);
+  add_noise(scene, {3e-4, 3e-2, 0.}, direction);
   Mumps solver(MPI_COMM_WORLD, true);
   const auto error_after_a_step_from = [&](const double distance) {
     scene.state.x = solution;
