@@ -47,6 +47,7 @@ void Problem<dim>::declare()
   }
   nodal_heat.declare(prm);
   dead_loads.declare(prm);
+  pressure.declare(prm);
   loading.declare(prm);
   stepper.declare(prm);
   {
@@ -72,6 +73,8 @@ void Problem<dim>::setup()
   if (layout.has(Field::temperature))
     state.x.block(layout.block(Field::temperature)) = theta_start;
   system.setup();
+  if (pressure.exist())
+    system.set_pressure(pressure);
   transient.setup(system, loading.voltage(1.), theta);
   predictor.setup(system.element());
   state.start();
@@ -133,6 +136,7 @@ void Problem<dim>::check_and_set_up(Complaints& found)
   found.allow([&]() { check_path(); });
   found.allow([&]() { dead_loads.setup(mesh, layout); });
   if (has_conditions) {
+    found.allow([&]() { pressure.setup(mesh, layout, conditions); });
     found.allow([&]() { check_stages(); });
     found.allow([&]() { path_following.setup(mesh, layout, conditions); });
   }

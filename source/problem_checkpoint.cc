@@ -165,6 +165,7 @@ bool Problem<dim>::resume(const bool if_it_fits)
   conditions.set_motion(levels.motion);
   if (dead_loads.exist())
     system.set_loads(levels.force, dead_loads.nodal());
+  pressure.apply(levels.pressure);
   if (part == Part::loads)
     nodal_heat.apply(theta_start, 1., 1.);
   return resumes = true;

@@ -18,6 +18,10 @@ void Problem<dim>::check_stages() const
     else if (stage.kind == Stage::Kind::force && !dead_loads.exist())
       throw InputError(place + ": 'force' has nothing to act with; name it in section Loads, entry "
                                "'Force'");
+    else if (stage.kind == Stage::Kind::pressure && !pressure.exist())
+      throw InputError(place +
+                       ": 'pressure' has nothing to act on; name it in section Loads, entry "
+                       "'Pressure'");
 }
 
 template <int dim>
@@ -25,7 +29,8 @@ void Problem<dim>::apply_loads()
 {
   for (; n_stages < loading.stages().size(); ++n_stages) {
     const Stage& stage = loading.stages()[n_stages];
-    const bool is_electric = stage.kind != Stage::Kind::move && stage.kind != Stage::Kind::force;
+    const bool is_electric = stage.kind != Stage::Kind::move && stage.kind != Stage::Kind::force &&
+                             stage.kind != Stage::Kind::pressure;
     if (!resumes && (outcome.code != ExitCode::success || outcome.pull_in ||
                      (is_electric && !layout.has(Field::potential))))
       break;
@@ -78,6 +83,7 @@ void Problem<dim>::ramp(const Stage& stage)
     conditions.set_motion(now.motion);
     if (dead_loads.exist())
       system.set_loads(now.force, dead_loads.nodal());
+    pressure.apply(now.pressure);
     conditions.apply(state.voltage, theta_start, 1., state.x);
     if (layout.is_transient())
       set_uniform_temperature(theta);

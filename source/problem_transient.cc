@@ -23,6 +23,7 @@ void Problem<dim>::evolve()
   part = Part::time;
   if (!std::exchange(resumes, false))
     transient.start();
+  transient.heated_system().set_loads(system);
   while (!transient.finished()) {
     if (stops())
       return;

@@ -119,6 +119,7 @@ private:
   Predictor<dim> predictor;
   Loading loading;
   DeadLoads<dim> dead_loads;
+  FollowerPressure<dim> pressure;
   Newton newton;
   Stepper heating, stepper;
   PathFollowing<dim> path_following;

@@ -1,4 +1,4 @@
-"""Further actuators, deformed: a stack, a gripper, a membrane (doc/actuators.md)."""
+"""Further actuators, deformed: a balloon, a stack, a gripper, a membrane (doc/actuators.md)."""
 
 import numpy as np
 import plotting
@@ -28,6 +28,25 @@ def row(states, path, scene_of, colormap, scale, label, pixels_per_mm):
     figure, axes = shapes.sheet([pictures], [titles])
     shapes.bar(figure, axes, colormap, scale, label)
     plotting.save(figure, path)
+
+
+def balloon(folder, path):
+    """Half of the balloon, cut open, with its outline before."""
+    states = shapes.load_states(folder / "figures/balloon")
+    for state in states:
+        body = state.body
+        outwards = body.points / np.linalg.norm(body.points, axis=1)[:, None]
+        body.fields["u_r"] = np.sum(outwards * body.u, axis=1)
+    scale = shapes.limits(states, "u_r")
+
+    def scene_of(state):
+        scene = render.Scene((-0.45, -1.0, 0.35), (0, 0, 1))
+        body = whole(state.body, 0, 2)
+        scene.add_body(body, "u_r", shapes.DEFLECTION, scale, render.EDGES)
+        outline(scene, body)
+        return scene
+
+    row(states, path, scene_of, shapes.DEFLECTION, scale, r"$u_r$  (mm)", 11)
 
 
 def stack(folder, path):

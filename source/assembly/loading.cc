@@ -33,9 +33,9 @@ void Loading::declare(dealii::ParameterHandler& prm)
                     Double(1e-12));
   prm.add_parameter("Stages", stage_texts,
                     "What happens one after the other: `voltage 1` or `charge 1` goes to this "
-                    "multiple of Target, `force 1` to this multiple of Loads/Force, `move 1` takes "
-                    "Supports/Moved along this part of their way, `disconnect NAME` lets an "
-                    "electrode float with its charge and `connect "
+                    "multiple of Target, `force 1` or `pressure 1` to this multiple of Loads/Force "
+                    "or Loads/Pressure, `move 1` takes Supports/Moved along this part of their "
+                    "way, `disconnect NAME` lets an electrode float with its charge and `connect "
                     "NAME` drives it from its potential. Empty: `voltage 1`, or `charge 1`.",
                     List(Anything(), 0, 100));
   prm.add_parameter("Until", until_values,
@@ -85,10 +85,13 @@ double Loading::read_target() const
 
 void Loading::read_stages()
 {
-  const std::map<std::string, Stage::Kind> kinds{
-      {"voltage", Stage::Kind::voltage}, {"charge", Stage::Kind::charge},
-      {"force", Stage::Kind::force},     {"move", Stage::Kind::move},
-      {"connect", Stage::Kind::connect}, {"disconnect", Stage::Kind::disconnect}};
+  const std::map<std::string, Stage::Kind> kinds{{"voltage", Stage::Kind::voltage},
+                                                 {"charge", Stage::Kind::charge},
+                                                 {"force", Stage::Kind::force},
+                                                 {"pressure", Stage::Kind::pressure},
+                                                 {"move", Stage::Kind::move},
+                                                 {"connect", Stage::Kind::connect},
+                                                 {"disconnect", Stage::Kind::disconnect}};
   if (stage_texts.empty()) {
     stage_list = {{kinds.at(control == "charge" ? "charge" : "voltage"), 1., ""}};
     return;
@@ -102,10 +105,9 @@ void Loading::read_stages()
     const bool read =
         found != kinds.end() && (stage.is_ramp() ? words >> stage.level : words >> stage.electrode);
     if (!read || words >> rest)
-      throw InputError(
-          "section Loading, entry 'Stages': '" + text +
-          "' is no stage; write voltage, charge, force or move with a number, or connect or "
-          "disconnect with an electrode");
+      throw InputError("section Loading, entry 'Stages': '" + text +
+                       "' is no stage; write voltage, charge, force, pressure or move with a "
+                       "number, or connect or disconnect with an electrode");
     stage_list.push_back(stage);
   }
 }
@@ -119,10 +121,11 @@ std::string Loading::between(const Stage::Kind kind, const double low, const dou
   text.precision(7);
   text << "between " << (kind == Stage::Kind::voltage ? "e = " : "") << unit * low << " and "
        << unit * high
-       << (kind == Stage::Kind::voltage  ? ""
-           : kind == Stage::Kind::charge ? " uC"
-           : kind == Stage::Kind::force  ? " times the force"
-                                         : " of the way of the moved supports");
+       << (kind == Stage::Kind::voltage    ? ""
+           : kind == Stage::Kind::charge   ? " uC"
+           : kind == Stage::Kind::force    ? " times the force"
+           : kind == Stage::Kind::pressure ? " times the pressure"
+                                           : " of the way of the moved supports");
   return text.str();
 }
 

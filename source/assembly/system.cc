@@ -72,6 +72,8 @@ template <int dim>
 void System<dim>::setup(const Solved fields, const System& other)
 {
   formulation_name = other.formulation_name;
+  if (fields != Solved::temperature)
+    pressure = other.pressure;
   linear_settings = other.linear_settings;
   choose(fields);
   setup();
@@ -134,6 +136,8 @@ ResidualReport System<dim>::residual()
               internal_residual.begin() + view.index * formulation->n_internal());
     layout.scatter(view.cell, result.residual, raw_residual);
   });
+  if (pressure)
+    pressure->add_forces(-1., state.x, raw_residual);
   raw_residual.compress(dealii::VectorOperation::add);
   if (solved != Solved::deformation)
     heat.add_residual(state, raw_residual);
@@ -153,6 +157,17 @@ ResidualReport System<dim>::residual()
   if (std::isnan(norm))
     norm = std::numeric_limits<double>::infinity();
   return {norm, min_det_F};
+}
+
+template <int dim>
+BlockVector System<dim>::loads_at(const BlockVector& x) const
+{
+  BlockVector result = layout.new_vector();
+  if (pressure)
+    pressure->add_forces(1., x, result);
+  result.compress(dealii::VectorOperation::add);
+  result += loads;
+  return result;
 }
 
 template <int dim>
@@ -179,6 +194,8 @@ void System<dim>::assemble_tangent()
     unstable += result.unstable_inside;
     keep_elimination(view.index, result);
   });
+  if (pressure)
+    pressure->add_tangent(state.x, matrix);
   matrix.finish();
   if (solved != Solved::deformation)
     heat.add_tangent(state, matrix);

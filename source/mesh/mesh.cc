@@ -102,8 +102,8 @@ void Mesh<dim>::declare(dealii::ParameterHandler& prm)
                     Integer(0, 20));
   prm.add_parameter("Curved", curved,
                     "Where edges between vertices are arcs: `nowhere`, or all of them `around x2`, "
-                    "the axis of a tube.",
-                    Selection("nowhere|around x2"));
+                    "the axis of a tube, or `around the origin`, the centre of a sphere.",
+                    Selection("nowhere|around x2|around the origin"));
   add_quantity(prm, "Imperfection", imperfection,
                "Amplitude of the displacement of the vertices before the calculation starts, so "
                "that the body leaves an unstable straight path.",
@@ -163,8 +163,10 @@ void Mesh<dim>::create_triangulation(const CoarseMesh& coarse)
     tria.set_all_manifold_ids(0);
     if constexpr (dim == 2)
       tria.set_manifold(0, dealii::PolarManifold<dim>());
-    else
+    else if (curved == "around x2")
       tria.set_manifold(0, dealii::CylindricalManifold<dim>(1));
+    else
+      tria.set_manifold(0, dealii::SphericalManifold<dim>());
   }
 }
 

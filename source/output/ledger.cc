@@ -40,10 +40,12 @@ public:
 
   std::vector<double> evaluate(const Scene<dim>& scene) override
   {
-    auto& [start, past, work, heat, entropy, produced] = sums;
+    auto& [start, past, work, loads, heat, entropy, produced] = sums;
     const Stock now = stock(scene);
     if (!scene.state.rates) // time has not begun
-      sums = {now, now, 0., 0., 0., 0.};
+      sums = {now, now, 0., 0., 0., 0., 0.};
+    else
+      loads += load_work(scene);
     const double dt = scene.state.time - past.time;
     // What jumps at time 0 has no rate before the first step.
     const double before = past.time > 0. ? 0.5 : 0., after = 1. - before;
@@ -55,7 +57,6 @@ public:
     const Energies& e = now.stored;
     const double change = e.elastic + e.electric + e.thermal -
                           (start.stored.elastic + start.stored.electric + start.stored.thermal);
-    const double loads = now.load_work - start.load_work;
     return {e.elastic,
             e.electric,
             e.thermal,
@@ -85,13 +86,13 @@ private:
   struct Stock {
     Energies stored;
     HeatInflow inflow;
-    double time, voltage, charge, load_work, production; ///< s, kV, uC, mJ, mW/K
+    double time, voltage, charge, production; ///< s, kV, uC, mW/K
   };
 
   /// What has come together since the start.
   struct Sums {
     Stock start, past;
-    double work, heat, entropy, produced;
+    double work, loads, heat, entropy, produced;
   };
 
   Stock stock(const Scene<dim>& scene) const
@@ -108,8 +109,19 @@ private:
             scene.state.time,
             scene.state.voltage,
             total[4],
-            scene.system.load_work(),
             total[5]};
+  }
+
+  /// What dead loads and pressures have done since the last accepted state, in mJ.
+  static double load_work(const Scene<dim>& scene)
+  {
+    const auto& path = scene.state.path();
+    const BlockVector& before = path[path.size() - 2].x;
+    BlockVector way = scene.state.x, forces = scene.system.loads_at(scene.state.x);
+    way.zero_out_ghost_values();
+    way -= before;
+    forces += scene.system.loads_at(before);
+    return 0.5 * (forces * way);
   }
 
   static double charge(const Scene<dim>& scene)

@@ -10,11 +10,17 @@ const NamedList<Observable<dim>>& observables()
 {
   static const NamedList<Observable<dim>> list = []() {
     std::vector<std::pair<std::string, typename NamedList<Observable<dim>>::Factory>> entries{
-        {"charge", make_charge<dim>},       {"electrodes", make_electrodes<dim>},
-        {"energy", make_energy<dim>},       {"reaction", make_reaction<dim>},
-        {"volume", make_volume<dim>},       {"det_F", make_det_F<dim>},
-        {"breakdown", make_breakdown<dim>}, {"ledger", make_ledger<dim>},
-        {"probe", make_probe<dim>},         {"temperature_range", make_temperature_range<dim>}};
+        {"charge", make_charge<dim>},
+        {"electrodes", make_electrodes<dim>},
+        {"energy", make_energy<dim>},
+        {"reaction", make_reaction<dim>},
+        {"volume", make_volume<dim>},
+        {"enclosed_volume", make_enclosed_volume<dim>},
+        {"det_F", make_det_F<dim>},
+        {"breakdown", make_breakdown<dim>},
+        {"ledger", make_ledger<dim>},
+        {"probe", make_probe<dim>},
+        {"temperature_range", make_temperature_range<dim>}};
     for (const std::string name : {"tip", "centre"})
       entries.emplace_back(name, [name]() { return make_displacement<dim>(name); });
     for (const std::string name : {"mid_rotation", "end_rotation"})

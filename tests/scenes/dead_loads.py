@@ -90,6 +90,21 @@ def check_ledger(program, folder):
     require(min(orders) > 1.8 and missing[-1] < 0.1 * work, "energy is missing")
 
 
+def check_couplings(program, folder):
+    """The weight stays on the film while it is warmed, however the equations are solved."""
+    stretches = []
+    for coupling in ("staggered", "monolithic"):
+        entries = {"Loading/Stages": "force 1", "Electrodes/Potential": "",
+                   "Regions/Passive": "film", "Temperature/Model": "transient",
+                   "Temperature/Fixed": "bottom: 353", "Time/End": "0.2", "Time/Initial step": "0.01",
+                   "Time/Tolerance": "0", "Time/Coupling": coupling, "Output/Fields": "none"}
+        sets = [word for entry in entries.items() for word in ("--set", "=".join(entry))]
+        curve = program.run("verification/dead_load", folder, *sets).curve("lambda_1")
+        stretches.append(curve["lambda_1"][-1])
+    print(f"warmed for 0.2 s: lambda_1 = {stretches[0]:.6f} staggered, {stretches[1]:.6f} monolithic")
+    require(abs(stretches[1] / stretches[0] - 1) < 1e-3, "the couplings differ")
+
+
 def main():
     program, all_ranks = program_and_ranks(__doc__)
     for ranks in all_ranks:
@@ -98,6 +113,7 @@ def main():
             check_column(program, Path(folder) / "column", ranks)
     with tempfile.TemporaryDirectory() as folder:
         check_ledger(program, folder)
+        check_couplings(program, folder)
 
 
 main()

@@ -46,6 +46,14 @@ SCENES = {
                          "Time/Structural heat=entropy", "--set", "Time/Tolerance=0.5", "--set",
                          "Time/Initial step=0.01", "--set", "Time/Scheme=BDF2", "--set",
                          "Output/Observables=temperature_range, lambda_3, ledger"],
+    "pressure": ["prm/balloon.prm", "--set", "Output/Fields=none"],
+    "pressure in time": [
+        "prm/balloon.prm", "--set", "Loading/Stages=pressure 1", "--set", "Electrodes/Potential=",
+        "--set", "Regions/Passive=wall", "--set", "Temperature/Model=transient", "--set",
+        "Temperature/Fixed=outer: 313", "--set", "Time/Coupling=monolithic", "--set",
+        "Time/Initial step=0.1", "--set", "Discretisation/Degree=1", "--set",
+        "Output/Observables=tip, centre, enclosed_volume, ledger", "--set",
+        "Expectations/Final values="],
 }
 
 

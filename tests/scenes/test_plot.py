@@ -17,7 +17,7 @@ from figures import bodies
 EXPANSIONS, TEMPERATURES = (0.0, 1.8e-4), (273.0, 353.0)
 SWEPT = ("Materials/elastomer/Thermal expansion", "Temperature/Value")
 SIZES = {"planar": (5, 5, 1), "bending": (1, 4, 20), "heated": (1, 4, 20),
-         "buckling": (1, 4, 20), "stack": (10, 3, 2), "gripper": (1, 4, 20),
+         "buckling": (1, 4, 20), "balloon": (10, 10, 10), "stack": (10, 3, 2), "gripper": (1, 4, 20),
          "membrane": (15, 15, 0.25)}  # mm
 
 
@@ -92,7 +92,7 @@ def write_results(folder):
         write_study(folder / "studies" / name, TEMPERATURES, EXPANSIONS)
     for name in ("planar_actuator", "bending_actuator", "bending_actuator_plane",
                  "bending_hot_face", "bending_hot_end", "heated_bending", "buckling_pump",
-                 "buckling_pump_quarter", "stack", "gripper", "membrane"):
+                 "buckling_pump_quarter", "balloon", "stack", "gripper", "membrane"):
         size = SIZES[name.split("_")[0]]
         plane = name in ("bending_actuator_plane", "bending_hot_face", "bending_hot_end",
                          "heated_bending", "gripper")
@@ -118,7 +118,7 @@ class Plot(unittest.TestCase):
         result = plot(self.folder)
         self.assertEqual(result.returncode, 0, result.stderr)
         pictures = list((self.folder / "pictures").glob("*.png"))
-        self.assertEqual(len(pictures), 13)
+        self.assertEqual(len(pictures), 14)
         for picture in pictures:
             self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
             self.assertLess(picture.stat().st_size, 200e3)

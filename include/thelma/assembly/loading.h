@@ -14,7 +14,7 @@ namespace thelma
 /// One stage of a run: a quantity goes to a multiple of its target while the load factor goes from
 /// 0 to 1, or an electrode changes.
 struct Stage {
-  enum class Kind { voltage, charge, force, move, connect, disconnect };
+  enum class Kind { voltage, charge, force, pressure, move, connect, disconnect };
   Kind kind;
   double level = 0.;     ///< of a quantity, at the end
   std::string electrode; ///< that changes
@@ -23,19 +23,20 @@ struct Stage {
 
 /// Multiples of their targets that the quantities have reached.
 struct Levels {
-  double voltage = 0., charge = 0., force = 0., motion = 0.;
+  double voltage = 0., charge = 0., force = 0., pressure = 0., motion = 0.;
   double& of(const Stage::Kind kind)
   {
-    return kind == Stage::Kind::voltage  ? voltage
-           : kind == Stage::Kind::charge ? charge
-           : kind == Stage::Kind::force  ? force
-                                         : motion;
+    return kind == Stage::Kind::voltage    ? voltage
+           : kind == Stage::Kind::charge   ? charge
+           : kind == Stage::Kind::force    ? force
+           : kind == Stage::Kind::pressure ? pressure
+                                           : motion;
   }
 
   template <class Archive>
   void serialize(Archive& archive, unsigned int)
   {
-    archive& voltage& charge& force& motion;
+    archive& voltage& charge& force& pressure& motion;
   }
 };
 

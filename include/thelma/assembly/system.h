@@ -1,6 +1,7 @@
 #pragma once
 
 #include <thelma/assembly/floating_electrodes.h>
+#include <thelma/assembly/follower_pressure.h>
 #include <thelma/assembly/low_order.h>
 #include <thelma/assembly/nodal_heat.h>
 #include <thelma/assembly/pressure_blocks.h>
@@ -73,8 +74,13 @@ public:
   void set_loads(const BlockVector& forces) { loads = forces; }
   void set_loads(const double factor, const BlockVector& forces) { loads.equ(factor, forces); }
 
-  /// Work in mJ of the present loads on the way from the undeformed body.
-  double load_work() const { return loads * state.x; }
+  void set_loads(const System& other) { loads = other.loads; }
+
+  /// From now on these pressures act, as they are applied.
+  void set_pressure(const FollowerPressure<dim>& acting) { pressure = &acting; }
+
+  /// What acts at the nodal values @p x: forces in N, minus charges in uC, heat flows in mW.
+  BlockVector loads_at(const BlockVector& x) const;
 
   /// What enters through the walls, all of them, at the newest residual.
   HeatInflow heat_inflow() const;
@@ -162,6 +168,7 @@ private:
   double volume = 0.;                   ///< mm^dim
   double tangent_cost = 1.;             ///< of the last one, LinearReport::cost
   int unstable_inside = 0;              ///< directions in all cells, at the last tangent
+  const FollowerPressure<dim>* pressure = nullptr;
   BlockVector raw_residual, loads, base, nodal_correction, nodal_response;
   std::vector<double> internal_base, internal_correction, internal_response;
   std::vector<double> internal_residual; ///< of all own cells

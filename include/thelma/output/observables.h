@@ -68,6 +68,8 @@ std::unique_ptr<Observable<dim>> make_reaction();
 template <int dim>
 std::unique_ptr<Observable<dim>> make_volume();
 template <int dim>
+std::unique_ptr<Observable<dim>> make_enclosed_volume();
+template <int dim>
 std::unique_ptr<Observable<dim>> make_det_F();
 template <int dim>
 std::unique_ptr<Observable<dim>> make_breakdown();
