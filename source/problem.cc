@@ -85,7 +85,7 @@ void Problem<dim>::setup()
   if (layout.is_transient())
     for (const std::string& line : transient.summary())
       outcome.modelled.push_back(line);
-  outcome.cells = mesh.triangulation().n_active_cells();
+  outcome.cells = mesh.n_cells();
   outcome.imbalance = system.imbalance();
   for (const Field field : layout.fields())
     outcome.unknowns[field_name(field)] = layout.n_dofs(field);

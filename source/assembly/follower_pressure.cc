@@ -3,7 +3,13 @@
 #include <thelma/base/parameters.h>
 #include <thelma/base/quantity.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/set.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -19,60 +25,88 @@ const std::string pressure_entry = "section Loads, entry 'Pressure'";
 /// displacements are given there.
 template <int dim>
 struct End {
-  dealii::Point<dim> X;
+  std::array<double, dim> X; ///< the same bits on every cell and rank
   std::set<unsigned int> given;
+
+  bool operator<(const End& other) const { return X < other.X; }
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& X& given;
+  }
 };
 
-/// The edges of the named surface, those of only one of its faces.
 template <int dim>
-std::vector<std::vector<End<dim>>> edges_of(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
-                                            const BoundaryConditions<dim>& conditions,
-                                            const std::string& name)
+using Edge = std::vector<End<dim>>;
+
+/// The vertices at the ends of the edges of a face with these @p vertices.
+template <int dim>
+std::vector<std::vector<unsigned int>> corners_of_edges(const std::uint8_t vertices)
 {
   using Geometry = dealii::GeometryInfo<dim>;
-  std::map<std::vector<unsigned int>, std::vector<End<dim>>> found;
+  std::vector<std::vector<unsigned int>> edges;
+  if constexpr (dim == 2) {
+    for (unsigned int v = 0; v < Geometry::vertices_per_cell; ++v)
+      if (vertices & (1u << v))
+        edges.push_back({v});
+  } else
+    for (unsigned int l = 0; l < Geometry::lines_per_cell; ++l) {
+      const unsigned int v = Geometry::line_to_cell_vertices(l, 0),
+                         w = Geometry::line_to_cell_vertices(l, 1);
+      if ((vertices & (1u << v)) && (vertices & (1u << w)))
+        edges.push_back({v, w});
+    }
+  return edges;
+}
+
+/// The edges of all faces of the named surface on own cells, one after the other.
+template <int dim>
+std::vector<Edge<dim>> own_edges(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
+                                 const BoundaryConditions<dim>& conditions, const std::string& name)
+{
+  std::vector<Edge<dim>> edges;
   std::vector<dealii::types::global_dof_index> indices;
   for (const auto& [entity, vertices] : mesh.surface(name, pressure_entry)) {
     const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
         &mesh.triangulation(), entity->level(), entity->index(), &layout.dof_handler());
     layout.unknowns(cell, indices);
-    const auto add_edge = [&](const std::vector<unsigned int>& corners) {
-      std::vector<unsigned int> key;
-      std::vector<End<dim>> ends;
+    for (const std::vector<unsigned int>& corners : corners_of_edges<dim>(vertices)) {
+      edges.emplace_back();
       for (const unsigned int v : corners) {
-        key.push_back(entity->vertex_index(v));
-        ends.push_back({entity->vertex(v), {}});
-        for (unsigned int c = 0; c < dim; ++c)
+        End<dim> end;
+        for (unsigned int c = 0; c < dim; ++c) {
+          end.X[c] = entity->vertex(v)[c];
           if (conditions.constraints().is_constrained(
                   indices[*layout.local_dof(cell->active_fe_index(), v, c)]))
-            ends.back().given.insert(c);
+            end.given.insert(c);
+        }
+        edges.back().push_back(end);
       }
-      std::sort(key.begin(), key.end());
-      if (!found.emplace(key, ends).second)
-        found.erase(key);
-    };
-    if constexpr (dim == 2) {
-      for (unsigned int v = 0; v < Geometry::vertices_per_cell; ++v)
-        if (vertices & (1u << v))
-          add_edge({v});
-    } else
-      for (unsigned int l = 0; l < Geometry::lines_per_cell; ++l) {
-        const unsigned int v = Geometry::line_to_cell_vertices(l, 0),
-                           w = Geometry::line_to_cell_vertices(l, 1);
-        if ((vertices & (1u << v)) && (vertices & (1u << w)))
-          add_edge({v, w});
-      }
+      std::sort(edges.back().begin(), edges.back().end());
+    }
   }
-  std::vector<std::vector<End<dim>>> edges;
-  for (const auto& entry : found)
-    edges.push_back(entry.second);
+  return edges;
+}
+
+/// The edges of the named surface, those of only one of its faces, on all ranks.
+template <int dim>
+std::set<Edge<dim>> edges_of(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
+                             const BoundaryConditions<dim>& conditions, const std::string& name)
+{
+  std::set<Edge<dim>> edges;
+  for (const auto& part : dealii::Utilities::MPI::all_gather(
+           layout.communicator(), own_edges(mesh, layout, conditions, name)))
+    for (const Edge<dim>& edge : part)
+      if (!edges.insert(edge).second)
+        edges.erase(edge);
   return edges;
 }
 
 /// Whether neighbouring states move an edge along one line, or in space within a plane that
 /// contains it, so that what they sweep is no volume.
 template <int dim>
-bool has_potential(const std::vector<End<dim>>& edge)
+bool has_potential(const Edge<dim>& edge)
 {
   std::set<unsigned int> given = edge.front().given;
   if constexpr (dim == 3) {
@@ -81,9 +115,11 @@ bool has_potential(const std::vector<End<dim>>& edge)
                           edge.back().given.end(), std::inserter(both, both.end()));
     given = both;
   }
+  double length = 0.;
+  for (unsigned int c = 0; c < dim; ++c)
+    length = std::hypot(length, edge.front().X[c] - edge.back().X[c]);
   const auto is_flat = [&](const unsigned int c) {
-    const double way = std::abs(edge.front().X[c] - edge.back().X[c]);
-    return way < 1e-9 * edge.front().X.distance(edge.back().X);
+    return std::abs(edge.front().X[c] - edge.back().X[c]) < 1e-9 * length;
   };
   return given.size() + 1 >= dim || std::any_of(given.begin(), given.end(), is_flat);
 }

@@ -228,27 +228,42 @@ template <int dim>
 void TangentMatrix<dim>::add(const std::size_t index, const Cell<dim>& cell,
                              const std::vector<double>& entries)
 {
-  const std::size_t n = cell.dofs.size(), n_blocks = tangent.n_block_rows();
+  const std::size_t n = cell.dofs.size();
   const CellPlaces& place = places[index];
-  std::array<double*, 3> begins;
   for (std::size_t i = 0; i < n; ++i) {
-    const CellPlaces::Row& row = place.rows[i];
-    if (row.pattern == CellPlaces::no_pattern)
-      continue;
-    const double* row_entries = entries.data() + i * n;
-    if (!row.own) {
-      add_row(cell, i, place, row_entries);
-      continue;
-    }
-    for (std::size_t b = 0; b < n_blocks; ++b)
-      begins[b] = block_values[row.block * n_blocks + b] + place.begins[i * n_blocks + b];
-    const unsigned short* offset = place.offsets_of(row);
-    for (const CellPlaces::Run& run : place.runs) {
-      if (*offset != CellPlaces::absent) {
-        add_run(run.length, row_entries + run.first, begins[run.block] + *offset);
-      }
-      ++offset;
-    }
+    // The rows lie far apart: memory is asked for the next one in time.
+    if (i + 1 < n)
+      for_each_run(place, i + 1,
+                   [](const CellPlaces::Run&, double* values) { __builtin_prefetch(values, 1); });
+    const double* row = entries.data() + i * n;
+    if (place.rows[i].own)
+      for_each_run(place, i, [row](const CellPlaces::Run& run, double* values) {
+        add_run(run.length, row + run.first, values);
+      });
+    else if (place.rows[i].pattern != CellPlaces::no_pattern)
+      add_row(cell, i, place, row);
+  }
+}
+
+/// Call @p visit(run, its values in the matrix) for those of the own row @p i of a cell, if it is
+/// one and has any.
+template <int dim>
+template <typename Visitor>
+void TangentMatrix<dim>::for_each_run(const CellPlaces& place, const std::size_t i,
+                                      const Visitor& visit) const
+{
+  const CellPlaces::Row& row = place.rows[i];
+  if (!row.own || row.pattern == CellPlaces::no_pattern)
+    return;
+  const std::size_t n_blocks = tangent.n_block_rows();
+  std::array<double*, 3> begins;
+  for (std::size_t b = 0; b < n_blocks; ++b)
+    begins[b] = block_values[row.block * n_blocks + b] + place.begins[i * n_blocks + b];
+  const unsigned short* offset = place.offsets_of(row);
+  for (const CellPlaces::Run& run : place.runs) {
+    if (*offset != CellPlaces::absent)
+      visit(run, begins[run.block] + *offset);
+    ++offset;
   }
 }
 

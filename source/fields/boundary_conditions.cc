@@ -6,6 +6,8 @@
 #include <thelma/fields/named_dofs.h>
 #include <thelma/fields/rigid_motions.h>
 
+#include <deal.II/base/mpi.h>
+
 namespace thelma
 {
 namespace
@@ -195,8 +197,8 @@ dealii::types::global_dof_index BoundaryConditions<dim>::n_free(const FieldLayou
   const dealii::types::global_dof_index end = begin + layout.owned()[layout.block(field)].size();
   dealii::types::global_dof_index constrained = 0;
   for (const auto& line : homogeneous.get_lines())
-    constrained += line.index >= begin && line.index < end;
-  return end - begin - constrained;
+    constrained += owned.is_element(line.index) && line.index >= begin && line.index < end;
+  return end - begin - dealii::Utilities::MPI::sum(constrained, layout.communicator());
 }
 
 template class BoundaryConditions<2>;

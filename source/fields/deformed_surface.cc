@@ -1,6 +1,7 @@
 #include <thelma/base/error.h>
 #include <thelma/fields/deformed_surface.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
@@ -28,8 +29,6 @@ void DeformedSurface<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& 
       if (face_vertices<dim>(f) != vertices || !entity->face(f)->at_boundary())
         continue;
       outer = true;
-      if (!entity->is_locally_owned())
-        continue;
       values.reinit(entity, f);
       Face face{own.at(entity->active_cell_index()), nullptr, {}};
       face.cell = &layout.cells()[face.index];
@@ -48,7 +47,7 @@ void DeformedSurface<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& 
       }
       faces.push_back(face);
     }
-  if (!outer)
+  if (!Utilities::MPI::logical_or(outer, layout.communicator()))
     throw InputError(place + ": '" + name +
                      "' is no outer surface of the body; name one that has the body on one side");
 }

@@ -4,6 +4,7 @@
 #include <thelma/fields/duplicates.h>
 #include <thelma/fields/layout.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_renumbering.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_nothing.h>
@@ -138,6 +139,10 @@ void FieldLayout<dim>::number_blockwise()
     relevant_dofs.push_back(active.get_view(begin, begin + size));
     begin += size;
   }
+  n_duplicates.assign(sizes.size(), 0);
+  for (const auto& pair : stand_ins)
+    n_duplicates[block_of_dof(pair.first)] += owned.is_element(pair.first);
+  dealii::Utilities::MPI::sum(n_duplicates, communicator(), n_duplicates);
 }
 
 template <int dim>
@@ -194,9 +199,7 @@ template <int dim>
 dealii::types::global_dof_index FieldLayout<dim>::n_dofs(const Field field) const
 {
   const unsigned int b = block(field);
-  return owned_dofs[b].size() -
-         std::count_if(stand_ins.begin(), stand_ins.end(),
-                       [&](const auto& pair) { return block_of_dof(pair.first) == b; });
+  return owned_dofs[b].size() - n_duplicates[b];
 }
 
 template <int dim>

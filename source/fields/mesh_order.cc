@@ -2,8 +2,11 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <boost/serialization/utility.hpp>
+
 #include <algorithm>
-#include <limits>
+#include <map>
+#include <numeric>
 
 namespace thelma
 {
@@ -20,30 +23,71 @@ std::vector<Value> joined(const MPI_Comm comm, const std::vector<Value>& own)
   return all;
 }
 
+/// What rank 0 has for all ranks, rank after rank: this rank's @p n_own of them.
+std::vector<std::uint64_t> dealt_out(const MPI_Comm comm, const std::vector<std::uint64_t>& all,
+                                     const std::size_t n_own)
+{
+  std::vector<int> counts, starts(1, 0);
+  for (const std::size_t n : dealii::Utilities::MPI::gather(comm, n_own)) {
+    counts.push_back(static_cast<int>(n));
+    starts.push_back(starts.back() + counts.back());
+  }
+  std::vector<std::uint64_t> own(n_own);
+  const int error = MPI_Scatterv(all.data(), counts.data(), starts.data(), MPI_UINT64_T, own.data(),
+                                 static_cast<int>(n_own), MPI_UINT64_T, 0, comm);
+  AssertThrowMPI(error);
+  return own;
+}
+
 } // namespace
 
+/// An own unknown is known by the first cell that has it, which is an own one or a neighbour, and
+/// by its place there.
 template <int dim>
 MeshOrder<dim>::MeshOrder(const FieldLayout<dim>& layout) : layout(layout)
 {
-  constexpr auto unseen = std::numeric_limits<std::uint64_t>::max();
-  std::vector<std::uint64_t> place(layout.dof_handler().n_dofs(), unseen);
+  const auto owned = layout.dof_handler().locally_owned_dofs();
+  std::map<dealii::types::global_dof_index, Key> first;
+  std::vector<Key> keys;
   std::vector<dealii::types::global_dof_index> of_cell;
   for (const auto& cell : layout.dof_handler().active_cell_iterators()) {
+    if (cell->is_artificial())
+      continue;
+    const unsigned int number = Mesh<dim>::number_of(cell);
     layout.unknowns(cell, of_cell);
-    for (const auto index : of_cell)
-      if (place[index] == unseen)
-        place[index] = unknowns.total++;
+    for (unsigned int i = 0; i < of_cell.size(); ++i)
+      if (owned.is_element(of_cell[i])) {
+        Key& key = first.emplace(of_cell[i], Key(number, i)).first->second;
+        key = std::min(key, Key(number, i));
+      }
     if (cell->is_locally_owned())
-      cells.own.push_back(cells.total);
-    ++cells.total;
+      keys.emplace_back(number, 0);
   }
-  for (const auto index : layout.dof_handler().locally_owned_dofs())
-    if (place[index] != unseen) { // others have one that stands for them
-      indices.push_back(index);
-      unknowns.own.push_back(place[index]);
-    }
-  for (Places* places : {&unknowns, &cells})
-    places->all = joined(layout.communicator(), places->own);
+  cells = places(keys);
+  keys.clear();
+  for (const auto& [index, key] : first) {
+    indices.push_back(index);
+    keys.push_back(key);
+  }
+  unknowns = places(keys);
+}
+
+template <int dim>
+typename MeshOrder<dim>::Places MeshOrder<dim>::places(const std::vector<Key>& own) const
+{
+  const MPI_Comm comm = layout.communicator();
+  const std::vector<Key> keys = joined(comm, own);
+  std::vector<std::size_t> order(keys.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](const std::size_t k, const std::size_t l) { return keys[k] < keys[l]; });
+  Places result;
+  result.all.resize(keys.size());
+  for (std::size_t place = 0; place < order.size(); ++place)
+    result.all[order[place]] = place;
+  result.own = dealt_out(comm, result.all, own.size());
+  result.total = dealii::Utilities::MPI::sum<std::uint64_t>(own.size(), comm);
+  return result;
 }
 
 /// Equally many values for each of the places.

@@ -2,6 +2,7 @@
 #include <thelma/base/error.h>
 #include <thelma/fields/named_dofs.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
@@ -36,13 +37,10 @@ std::set<dealii::types::global_dof_index>
 dofs_on(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string& surface,
         const std::string& place, const unsigned int component)
 {
-  const auto& entities = mesh.surface(surface, place);
-  if (entities.empty())
-    throw InputError(place + ": surface '" + surface + "' touches no cell");
   const auto& points = layout.scalar_element().get_unit_support_points();
   std::vector<dealii::types::global_dof_index> indices;
   std::set<dealii::types::global_dof_index> dofs;
-  for (const auto& [entity, vertices] : entities) {
+  for (const auto& [entity, vertices] : mesh.surface(surface, place)) {
     const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
         &mesh.triangulation(), entity->level(), entity->index(), &layout.dof_handler());
     layout.unknowns(cell, indices);
@@ -51,7 +49,7 @@ dofs_on(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string
         if (const auto i = layout.local_dof(cell->active_fe_index(), a, component))
           dofs.insert(indices[*i]);
   }
-  return dofs;
+  return dealii::Utilities::MPI::compute_set_union(dofs, layout.communicator());
 }
 
 template <int dim>

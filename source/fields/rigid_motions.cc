@@ -2,23 +2,15 @@
 #include <thelma/base/error.h>
 #include <thelma/fields/rigid_motions.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace thelma
 {
 namespace
 {
-
-/// The root of a tree of vertices, with the way to it made short.
-unsigned int root(std::vector<unsigned int>& parent, unsigned int v)
-{
-  while (parent[v] != v)
-    v = parent[v] = parent[parent[v]];
-  return v;
-}
 
 template <int dim>
 constexpr unsigned int n_motions = dim == 3 ? 6 : 3;
@@ -50,50 +42,29 @@ std::string motion_name(const unsigned int m)
 } // namespace
 
 template <int dim>
-RigidMotions<dim>::RigidMotions(const Mesh<dim>& mesh)
-    : mesh(mesh), body_of_vertex(mesh.triangulation().n_vertices())
-{
-  std::iota(body_of_vertex.begin(), body_of_vertex.end(), 0);
-  for (const auto& cell : mesh.triangulation().active_cell_iterators())
-    for (const unsigned int v : cell->vertex_indices())
-      body_of_vertex[root(body_of_vertex, cell->vertex_index(v))] =
-          root(body_of_vertex, cell->vertex_index(0));
-  std::vector<int> number(body_of_vertex.size(), -1);
-  for (const auto& cell : mesh.triangulation().active_cell_iterators())
-    if (int& body = number[root(body_of_vertex, cell->vertex_index(0))]; body < 0) {
-      body = bodies.size();
-      bodies.push_back({mesh.region_of(cell), cell->center(), {}});
-    }
-  for (unsigned int v = 0; v < number.size(); ++v)
-    if (root(body_of_vertex, v) != v)
-      number[v] = number[root(body_of_vertex, v)];
-  body_of_vertex.assign(number.begin(), number.end());
-}
-
-template <int dim>
 void RigidMotions<dim>::hold(const std::string& surface, const unsigned int component)
 {
   for (const auto& [cell, vertices] : mesh.surface(surface, ""))
     for (const unsigned int v : cell->vertex_indices())
       if (vertices & (1u << v))
-        bodies[body_of_vertex[cell->vertex_index(v)]].held.emplace_back(cell->vertex(v), component);
+        own.push_back({mesh.body_of(cell), component, cell->vertex(v)});
 }
 
 /// A motion that all held displacements are blind to is in the kernel of the sum of their squares.
 template <int dim>
-std::vector<std::string> RigidMotions<dim>::free_motions(const Body& body)
+std::vector<std::string> RigidMotions<dim>::free_motions(const std::vector<Held>& body)
 {
   constexpr unsigned int n = n_motions<dim>;
   double size = 0.;
-  for (const Held& held : body.held)
-    size = std::max(size, held.first.distance(body.centre));
+  for (const Held& held : body)
+    size = std::max(size, held.X.distance(body.front().X));
   dealii::LAPACKFullMatrix<double> squares(n, n);
-  for (const auto& [X, c] : body.held) {
-    const auto u =
-        rigid_displacement<dim>(dealii::Point<dim>((X - body.centre) / (size > 0. ? size : 1.)), c);
+  for (const Held& held : body) {
+    const auto u = rigid_displacement<dim>(
+        dealii::Point<dim>((held.X - body.front().X) / (size > 0. ? size : 1.)), held.component);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
-        squares(i, j) += u[i] * u[j] / body.held.size();
+        squares(i, j) += u[i] * u[j] / body.size();
   }
   squares.compute_svd();
   std::vector<std::string> motions;
@@ -114,10 +85,15 @@ std::vector<std::string> RigidMotions<dim>::free_motions(const Body& body)
 template <int dim>
 std::vector<std::string> RigidMotions<dim>::remaining() const
 {
+  const std::vector<std::string> regions = mesh.bodies();
+  std::vector<std::vector<Held>> bodies(regions.size());
+  for (const std::vector<Held>& part : dealii::Utilities::MPI::all_gather(mesh.communicator(), own))
+    for (const Held& held : part)
+      bodies[held.body].push_back(held);
   std::vector<std::string> sentences;
-  for (const Body& body : bodies)
-    if (const std::vector<std::string> motions = free_motions(body); !motions.empty())
-      sentences.push_back("the body with region '" + body.region + "' floats, it can " +
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    if (const std::vector<std::string> motions = free_motions(bodies[k]); !motions.empty())
+      sentences.push_back("the body with region '" + regions[k] + "' floats, it can " +
                           comma_separated(motions) +
                           "; fix more components of its surfaces, lines or points" +
                           (bodies.size() > 1 ? ", or join it to another body" : ""));

@@ -7,6 +7,8 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <optional>
+
 namespace thelma
 {
 namespace
@@ -24,11 +26,14 @@ struct SurfaceMean {
                                          dealii::update_quadrature_points);
     std::vector<dealii::types::global_dof_index> dofs;
     double area = 0., moment = 0.;
+    bool other = false;
     for (const auto& entity : scene.mesh.surface(surface, place)) {
-      if (!entity.cell->is_locally_owned())
+      const std::optional<unsigned int> face = face_of(entity.vertices);
+      if (!face) {
+        other = true;
         continue;
-      const unsigned int face = face_of(entity.vertices, surface, place);
-      values.reinit(entity.cell, face);
+      }
+      values.reinit(entity.cell, *face);
       const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
           &scene.mesh.triangulation(), entity.cell->level(), entity.cell->index(),
           &scene.layout.dof_handler());
@@ -42,19 +47,20 @@ struct SurfaceMean {
       }
     }
     comm = scene.layout.communicator();
+    if (dealii::Utilities::MPI::logical_or(other, comm))
+      throw InputError(place + ": '" + surface + "' is a line or a point; name a surface");
     area = dealii::Utilities::MPI::sum(area, comm);
     position = dealii::Utilities::MPI::sum(moment, comm) / area;
     for (auto& weight : weights)
       weight.second /= area;
   }
 
-  static unsigned int face_of(const std::uint8_t vertices, const std::string& surface,
-                              const std::string& place)
+  static std::optional<unsigned int> face_of(const std::uint8_t vertices)
   {
     for (unsigned int f = 0; f < dealii::GeometryInfo<dim>::faces_per_cell; ++f)
       if (face_vertices<dim>(f) == vertices)
         return f;
-    throw InputError(place + ": '" + surface + "' is a line or a point; name a surface");
+    return {};
   }
 
   double displacement(const BlockVector& x) const

@@ -1,7 +1,5 @@
 #include <thelma/solvers/multigrid.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <Teuchos_ParameterList.hpp>
 #include <ml_MultiLevelPreconditioner.h>
 
@@ -19,10 +17,7 @@ void Multigrid::setup(const Matrix& matrix, const unsigned int n_components,
   ML_Epetra::SetDefaults("SA", list);
   list.set("ML output", 0);
   list.set("PDE equations", static_cast<int>(n_components));
-  // A maximal independent set saves a tenth of the iterations, but wants all components of a ghost
-  // node as columns; those that are given have none.
-  const bool alone = dealii::Utilities::MPI::n_mpi_processes(matrix.get_mpi_communicator()) == 1;
-  list.set("aggregation: type", alone ? "MIS" : "Uncoupled");
+  list.set("aggregation: type", "MIS"); // a tenth fewer iterations than uncoupled ones
   list.set("aggregation: threshold", 0.);
   list.set("smoother: type", "Chebyshev");
   list.set("smoother: sweeps", 3); // the degree

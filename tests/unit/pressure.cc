@@ -194,7 +194,7 @@ TEST(FollowerPressureTangent, GivesNewtonSecondOrder)
     correction.add(distance, direction);
     return correction.l2_norm();
   };
-  const double far = error_after_a_step_from(0.25), near = error_after_a_step_from(0.125);
+  const double far = error_after_a_step_from(0.02), near = error_after_a_step_from(0.01);
   EXPECT_GE(std::log2(far / near), 1.8) << far << " " << near;
 }
 

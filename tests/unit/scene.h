@@ -1,6 +1,7 @@
 #pragma once
 
 #include <thelma/assembly/system.h>
+#include <thelma/fields/mesh_order.h>
 
 #include <random>
 #include <string>
@@ -49,17 +50,24 @@ struct TestScene {
   System<dim> system;
 };
 
-/// Add noise to the owned free unknowns of every block; the same on any number of ranks only for
-/// the same partition.
+/// Add noise to the owned free unknowns of every block, the same on any number of ranks.
 template <int dim>
 void add_noise(const TestScene<dim>& scene, const std::vector<double>& amplitude, BlockVector& x)
 {
   std::mt19937 random(42);
   std::uniform_real_distribution<double> noise(-1., 1.);
-  for (unsigned int b = 0; b < x.n_blocks(); ++b)
-    for (const auto i : x.block(b).locally_owned_elements())
-      x.block(b)(i) += amplitude[b] * noise(random);
+  std::size_t n = 0;
+  for (const Field field : scene.layout.fields())
+    n += scene.layout.n_dofs(field);
+  std::vector<double> all(n);
+  for (double& value : all)
+    value = noise(random);
+  BlockVector change = scene.layout.new_vector();
+  MeshOrder<dim>(scene.layout).distribute(all, change);
   x.zero_out_ghost_values();
+  change.zero_out_ghost_values();
+  for (unsigned int b = 0; b < x.n_blocks(); ++b)
+    x.block(b).add(amplitude[b], change.block(b));
   scene.conditions.constraints().set_zero(x);
   x.update_ghost_values();
 }

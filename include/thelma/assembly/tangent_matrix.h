@@ -46,6 +46,8 @@ private:
   void make_pattern(const FieldLayout<dim>& layout);
   void find_places(const FieldLayout<dim>& layout);
   double* entry(dealii::types::global_dof_index row, dealii::types::global_dof_index column);
+  template <typename Visitor>
+  void for_each_run(const CellPlaces& place, std::size_t i, const Visitor& visit) const;
   void add_row(const Cell<dim>& cell, std::size_t i, const CellPlaces& place,
                const double* entries);
   std::vector<bool> free_unknowns(const Cell<dim>& cell) const;

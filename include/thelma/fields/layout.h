@@ -79,7 +79,8 @@ public:
   const std::vector<dealii::IndexSet>& relevant() const { return relevant_dofs; }
   dealii::types::global_dof_index n_dofs(Field field) const;
 
-  /// Entries of the vectors that are not used, with the unknown that stands for them.
+  /// Entries of the vectors that are not used, with the unknown that stands for them: all that this
+  /// rank's cells have.
   const std::map<dealii::types::global_dof_index, dealii::types::global_dof_index>&
   duplicates() const
   {
@@ -127,6 +128,7 @@ private:
   dealii::DoFHandler<dim> dofs;
   std::vector<std::vector<int>> position; ///< [fe_index][a * n_components + c], -1 if absent
   std::map<dealii::types::global_dof_index, dealii::types::global_dof_index> stand_ins;
+  std::vector<unsigned long long> n_duplicates; ///< of each block, on all ranks
   std::vector<dealii::IndexSet> owned_dofs, relevant_dofs;
   std::vector<Cell<dim>> own_cells;
 };

@@ -3,6 +3,7 @@
 #include <thelma/fields/layout.h>
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace thelma
@@ -34,6 +35,9 @@ private:
     std::uint64_t total = 0;
   };
 
+  using Key = std::pair<unsigned int, unsigned int>; ///< increases along the order
+
+  Places places(const std::vector<Key>& own) const;
   std::vector<double> sorted(const Places& places, const std::vector<double>& own) const;
 
   const FieldLayout<dim>& layout;

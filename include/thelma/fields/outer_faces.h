@@ -2,6 +2,7 @@
 
 #include <thelma/fields/layout.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature.h>
 #include <deal.II/fe/fe_values.h>
 
@@ -42,15 +43,13 @@ bool for_each_outer_face(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
       if (face_vertices<dim>(f) != vertices || !entity->face(f)->at_boundary())
         continue;
       outer = true;
-      if (!entity->is_locally_owned())
-        continue;
       const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
           &mesh.triangulation(), entity->level(), entity->index(), &layout.dof_handler());
       layout.unknowns(cell, indices);
       values.reinit(entity, f);
       visit(OuterFace<dim>{values, layout, indices, cell->active_fe_index()});
     }
-  return outer;
+  return dealii::Utilities::MPI::logical_or(outer, layout.communicator());
 }
 
 } // namespace thelma

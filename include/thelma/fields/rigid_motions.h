@@ -3,40 +3,42 @@
 #include <thelma/mesh/mesh.h>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace thelma
 {
 
-/// Which bodies of a mesh, parts that share no vertex, could move or turn without strain.
+/// Which bodies of a mesh could move or turn without strain.
 template <int dim>
 class RigidMotions
 {
 public:
-  explicit RigidMotions(const Mesh<dim>& mesh);
+  explicit RigidMotions(const Mesh<dim>& mesh) : mesh(mesh) {}
 
   /// The displacement @p component of a named surface, line or point is given.
   void hold(const std::string& surface, unsigned int component);
 
-  /// A sentence, without place, for every body that is not held.
+  /// A sentence, without place, for every body that is not held; the same on all ranks, which must
+  /// all ask.
   std::vector<std::string> remaining() const;
 
 private:
-  using Held = std::pair<dealii::Point<dim>, unsigned int>;
+  /// A component of the displacement that is given at a vertex.
+  struct Held {
+    unsigned int body, component;
+    dealii::Point<dim> X;
 
-  /// Connected vertices that hold nothing or something, and their region.
-  struct Body {
-    std::string region;
-    dealii::Point<dim> centre;
-    std::vector<Held> held;
+    template <class Archive>
+    void serialize(Archive& archive, unsigned int)
+    {
+      archive& body& component& X;
+    }
   };
 
-  static std::vector<std::string> free_motions(const Body& body);
+  static std::vector<std::string> free_motions(const std::vector<Held>& body);
 
   const Mesh<dim>& mesh;
-  std::vector<unsigned int> body_of_vertex;
-  std::vector<Body> bodies;
+  std::vector<Held> own; ///< by this rank's cells
 };
 
 } // namespace thelma

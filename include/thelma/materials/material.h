@@ -44,6 +44,8 @@ public:
   virtual void declare(dealii::ParameterHandler& prm) = 0;
 
   virtual Energies energies(const PointState<>& state) const = 0;
+
+  /// Second derivatives are zero before.
   virtual void evaluate(const PointState<>& state, FirstDerivatives<>& out) const = 0;
   virtual void evaluate(const PointState<>& state, SecondDerivatives<>& out) const = 0;
   virtual void evaluate(const PointState<Lanes>& state, FirstDerivatives<Lanes>& out) const = 0;
@@ -103,15 +105,22 @@ public:
   template <typename Number>
   SecondDerivatives<Number> second_derivatives(const PointState<Number>& state) const
   {
+    SecondDerivatives<Number> out{};
+    set_second_derivatives(state, out);
+    return out;
+  }
+
+  /// The same into @p out, which is zero before: of many points at once it is too large to copy.
+  template <typename Number>
+  void set_second_derivatives(const PointState<Number>& state, SecondDerivatives<Number>& out) const
+  {
     const Kinematics<Number> kin(state.F);
     const Split<Number> em(*this, state, kin);
     const Number f = state.theta / thermal.theta_0;
     const double alpha = thermal.alpha;
-    const Tensor3<4, Number> W_FF = elastic.second(em.F, em.kin, state.theta);
-    const Tensor3<2, Number> W_FF_F = apply(W_FF, em.F);
-
-    SecondDerivatives<Number> out;
-    out.dP_dF = f * em.s * em.s * W_FF;
+    out.dP_dF = elastic.second(em.F, em.kin, state.theta);
+    const Tensor3<2, Number> W_FF_F = apply(out.dP_dF, em.F);
+    out.dP_dF *= f * em.s * em.s;
     out.dP_dtheta = em.s * ((1. / thermal.theta_0 - alpha * f) * em.d.W_F +
                             f * (em.d.W_Ftheta - alpha * W_FF_F));
     out.deta_dtheta = thermal.deta_dtheta(state.theta) -
@@ -119,7 +128,6 @@ public:
                       f * (em.d.W_thetatheta - 2. * alpha * contract(em.d.W_Ftheta, em.F) +
                            alpha * alpha * (contract(W_FF_F, em.F) + contract(em.d.W_F, em.F)));
     dielectric.add_second(state, kin, out);
-    return out;
   }
 
   Energies energies(const PointState<>& state) const override
@@ -139,7 +147,7 @@ public:
 
   void evaluate(const PointState<>& state, SecondDerivatives<>& out) const override
   {
-    out = second_derivatives(state);
+    set_second_derivatives(state, out);
   }
 
   void evaluate(const PointState<Lanes>& state, FirstDerivatives<Lanes>& out) const override
@@ -149,7 +157,7 @@ public:
 
   void evaluate(const PointState<Lanes>& state, SecondDerivatives<Lanes>& out) const override
   {
-    out = second_derivatives(state);
+    set_second_derivatives(state, out);
   }
 
   void add_entropy_rate(const PointState<>& state, const PointRates& rates,

@@ -1,12 +1,11 @@
 #pragma once
 
 #include <thelma/base/parameters.h>
-#include <thelma/mesh/gmsh_reader.h>
+#include <thelma/mesh/whole_mesh.h>
 
 #include <deal.II/base/parameter_handler.h>
-#include <deal.II/distributed/shared_tria.h>
+#include <deal.II/distributed/fully_distributed_tria.h>
 
-#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -14,11 +13,8 @@
 namespace thelma
 {
 
-/// The vertices of face @p f of a cell, as bits.
-template <int dim>
-std::uint8_t face_vertices(unsigned int f);
-
-/// The partitioned mesh of a scene, with regions and surfaces known by name.
+/// The partitioned mesh of a scene, with regions and surfaces known by name. Rank 0 reads it, cuts
+/// it up with METIS and deals it out; then every rank has its own cells and their neighbours.
 template <int dim>
 class Mesh
 {
@@ -43,40 +39,54 @@ public:
   /// Whether the edges of cells are arcs, so that quadratic elements need a quadratic geometry.
   bool is_curved() const { return curved != "nowhere"; }
 
-  const dealii::parallel::shared::Triangulation<dim>& triangulation() const { return tria; }
+  const dealii::Triangulation<dim>& triangulation() const { return tria; }
+  MPI_Comm communicator() const { return tria.get_communicator(); }
+  dealii::types::global_cell_index n_cells() const { return tria.n_global_active_cells(); }
+
+  /// The place of @p cell, its own or a neighbour, in the order of the whole mesh.
+  static unsigned int number_of(const CellIterator& cell)
+  {
+    return cell->id().get_coarse_cell_id();
+  }
 
   const std::string& region_of(const CellIterator& cell) const
   {
-    return region_names[cell->material_id()];
+    return table.regions[table.parts[cell->material_id()].region];
   }
-  const std::vector<std::string>& regions() const { return region_names; }
+  const std::vector<std::string>& regions() const { return table.regions; }
+
+  /// Number of the body that @p cell belongs to; bodies share no vertex.
+  unsigned int body_of(const CellIterator& cell) const
+  {
+    return table.parts[cell->material_id()].body;
+  }
+
+  /// The first region of each body.
+  std::vector<std::string> bodies() const;
 
   /// Smallest Jacobian at a vertex over the product of the edges there: 1 in a mesh of boxes.
-  double shape() const { return worst_shape; }
+  double shape() const { return table.worst_shape; }
 
   /// A checksum of all vertices and cells.
-  std::uint32_t fingerprint() const;
+  std::uint32_t fingerprint() const { return table.fingerprint; }
 
-  /// Faces, lines or points of the named group, on every cell that has them.
-  /// Throws InputError, with @p place in the sentence, when there is no such group.
+  /// Faces, lines or points of the named group, on every own cell that has them. Throws InputError,
+  /// with @p place in the sentence, when there is no such group or no rank has any.
   const std::vector<Entity>& surface(const std::string& name, const std::string& place) const;
   std::vector<std::string> surface_names() const;
 
 private:
-  void create_triangulation(const CoarseMesh& coarse);
-  void displace(std::vector<dealii::Point<dim>>& vertices) const;
-  void check_shapes(const std::vector<dealii::Point<dim>>& vertices,
-                    const std::vector<dealii::CellData<dim>>& cells, const std::string& complaint);
-  void find_entities(const CoarseMesh& coarse);
+  void distribute(const WholeMesh<dim>& whole);
+  void set_manifold();
+  void find_entities();
 
   std::string file, curved = "nowhere";
   std::map<std::string, double> parameters;
   unsigned int refinements = 0;
   double imperfection = 0.; ///< mm
-  double worst_shape = 1.;
   std::vector<std::string> imperfection_shape;
-  dealii::parallel::shared::Triangulation<dim> tria;
-  std::vector<std::string> region_names;
+  MeshTable table;
+  dealii::parallel::fullydistributed::Triangulation<dim> tria;
   std::map<std::string, std::vector<Entity>> surfaces;
 };
 

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <thelma/mesh/gmsh_reader.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/grid/tria_description.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace thelma
+{
+
+/// The vertices of face @p f of a cell, as bits.
+template <int dim>
+std::uint8_t face_vertices(unsigned int f);
+
+/// What every rank knows of a mesh, of which it has only some cells.
+struct MeshTable {
+  /// The part of a region that belongs to one body; bodies share no vertex.
+  struct Part {
+    unsigned int region, body;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned int)
+    {
+      archive& region& body;
+    }
+  };
+
+  /// A face, line or vertex: bit v is set when vertex v of the cell of this number belongs to it.
+  struct Place {
+    unsigned int cell;
+    std::uint8_t vertices;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned int)
+    {
+      archive& cell& vertices;
+    }
+  };
+
+  std::vector<std::string> regions;
+  std::vector<Part> parts;                            ///< by the material id of their cells
+  std::map<std::string, std::vector<Place>> surfaces; ///< and lines and points, on all their cells
+  double worst_shape = 1.; ///< smallest Jacobian at a vertex over the product of the edges there
+  std::uint32_t fingerprint = 0; ///< a checksum of all vertices and cells
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& regions& parts& surfaces& worst_shape& fingerprint;
+  }
+};
+
+/// All cells of a mesh, in the order that gives them their numbers. Only the rank that reads them
+/// has them, until they are dealt out.
+template <int dim>
+class WholeMesh
+{
+public:
+  WholeMesh() = default;
+
+  /// Throws InputError unless every cell is sound and has its neighbours.
+  explicit WholeMesh(const CoarseMesh& coarse);
+
+  /// Move vertices from their x1, x2, x3 (mm) by the amplitude (mm) times these expressions. Throws
+  /// InputError when a cell turns inside out.
+  void displace(double amplitude, const std::vector<std::string>& expressions);
+
+  /// To be called last.
+  MeshTable table() const;
+
+  std::vector<dealii::Point<dim>> vertices; ///< in mm
+  std::vector<dealii::CellData<dim>> cells; ///< their material is the number of the part
+
+private:
+  void find_bodies();
+  void find_surfaces(const CoarseMesh& coarse);
+  void check_shapes(const std::string& complaint);
+  std::uint32_t fingerprint() const;
+
+  MeshTable known;
+};
+
+} // namespace thelma
