@@ -76,7 +76,7 @@ void Problem<dim>::setup()
   if (pressure.exist())
     system.set_pressure(pressure);
   transient.setup(system, loading.voltage(1.), theta);
-  predictor.setup(system.element());
+  predictor.setup(system.element(), system.iterates());
   state.start();
 
   outcome.modelled = layout.summary();
@@ -87,6 +87,7 @@ void Problem<dim>::setup()
       outcome.modelled.push_back(line);
   outcome.cells = mesh.n_cells();
   outcome.imbalance = system.imbalance();
+  outcome.halo = system.halo();
   for (const Field field : layout.fields())
     outcome.unknowns[field_name(field)] = layout.n_dofs(field);
 }

@@ -67,39 +67,38 @@ void LowOrder<dim>::find_nodes()
     }
 }
 
-/// Rows of a part's unknowns in a block.
+/// Rows of a part's unknowns in a block, -1 where there is no equation.
 template <int dim>
-std::vector<typename LowOrder<dim>::Index>
-LowOrder<dim>::rows(const unsigned int block, const Cell<dim>& cell, const Corners& part) const
+std::vector<long long> LowOrder<dim>::rows(const unsigned int block, const Cell<dim>& cell,
+                                           const Corners& part) const
 {
-  std::vector<Index> result;
+  std::vector<long long> result;
   const unsigned int first = block == 0 ? 0 : dim, n = components(block);
   for (const unsigned int node : part)
-    for (unsigned int c = first; c < first + n; ++c)
-      result.push_back(cell.dofs[node * cell.n_components + c] - starts[block]);
+    for (unsigned int c = first; c < first + n; ++c) {
+      const auto dof = cell.dofs[node * cell.n_components + c];
+      const bool given = conditions.constraints().is_constrained(dof);
+      result.push_back(given ? -1 : static_cast<long long>(dof - starts[block]));
+    }
   return result;
 }
 
-template <int dim>
-bool LowOrder<dim>::is_given(const unsigned int block, const Index row) const
-{
-  return conditions.constraints().is_constrained(row + starts[block]);
-}
-
-/// Where a value is given the entries are there and zero: the aggregates of multigrid want nodes
-/// with all their components, above all those of other ranks.
 template <int dim>
 void LowOrder<dim>::make_pattern(const unsigned int block)
 {
   const dealii::IndexSet &owned = layout.owned()[block], &relevant = layout.relevant()[block];
   dealii::DynamicSparsityPattern pattern(owned.size(), owned.size(), relevant);
+  std::vector<dealii::types::global_dof_index> free;
   for (const Cell<dim>& cell : layout.cells())
     if (block == 0 || cell.has_potential)
       for (const Corners& part : parts) {
-        std::vector<Index> all = rows(block, cell, part);
-        std::sort(all.begin(), all.end());
-        for (const Index row : all)
-          pattern.add_entries(row, all.begin(), all.end(), true);
+        free.clear();
+        for (const long long row : rows(block, cell, part))
+          if (row >= 0)
+            free.push_back(row);
+        std::sort(free.begin(), free.end());
+        for (const auto row : free)
+          pattern.add_entries(row, free.begin(), free.end(), true);
       }
   for (const auto row : owned)
     pattern.add(row, row);
@@ -180,14 +179,20 @@ template <int dim>
 void LowOrder<dim>::add(const unsigned int block, const Cell<dim>& cell, const Corners& part,
                         const std::vector<double>& entries)
 {
-  const std::vector<Index> all = rows(block, cell, part);
-  std::vector<double> values(all.size());
+  const std::vector<long long> all = rows(block, cell, part);
+  std::vector<dealii::types::global_dof_index> columns;
+  std::vector<double> values;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (is_given(block, all[i]))
+    if (all[i] < 0)
       continue;
+    columns.clear();
+    values.clear();
     for (std::size_t j = 0; j < all.size(); ++j)
-      values[j] = is_given(block, all[j]) ? 0. : entries[i * all.size() + j];
-    matrices[block].add(all[i], all.size(), all.data(), values.data(), false);
+      if (all[j] >= 0) {
+        columns.push_back(all[j]);
+        values.push_back(entries[i * all.size() + j]);
+      }
+    matrices[block].add(all[i], columns.size(), columns.data(), values.data(), false);
   }
 }
 

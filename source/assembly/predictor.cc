@@ -54,9 +54,10 @@ Tensor3<2> rotation_effect(const std::vector<Tensor3<2>>& F, const std::vector<d
 } // namespace
 
 template <int dim>
-void Predictor<dim>::setup(const Formulation<dim>& formulation_)
+void Predictor<dim>::setup(const Formulation<dim>& formulation_, const bool large)
 {
   formulation = &formulation_;
+  is_large = large;
   full.emplace(layout, layout.degree() + 1);
   reduced.emplace(layout, layout.degree());
   laplacian.reset();
@@ -65,14 +66,14 @@ void Predictor<dim>::setup(const Formulation<dim>& formulation_)
 }
 
 template <int dim>
-void Predictor<dim>::factorise()
+void Predictor<dim>::make_laplacian()
 {
-  TangentMatrix<dim> matrix;
-  matrix.setup(layout, conditions,
-               [](const Cell<dim>&, const unsigned int c, const unsigned int d) {
-                 return c == d && c < dim;
-               });
-  matrix.clear();
+  matrix = std::make_unique<TangentMatrix<dim>>();
+  matrix->setup(layout, conditions,
+                [](const Cell<dim>&, const unsigned int c, const unsigned int d) {
+                  return c == d && c < dim;
+                });
+  matrix->clear();
   std::vector<double> entries;
   for (std::size_t index = 0; index < layout.cells().size(); ++index) {
     const Cell<dim>& cell = layout.cells()[index];
@@ -90,11 +91,12 @@ void Predictor<dim>::factorise()
             entries[(a * n_c + i) * n + b * n_c + i] += sum;
         }
     }
-    matrix.add(index, cell, entries);
+    matrix->add(index, cell, entries);
   }
-  matrix.finish();
-  laplacian = std::make_unique<Mumps>(layout.communicator(), true, Mumps::Ordering::quick);
-  laplacian->factorise(matrix.matrix());
+  matrix->finish();
+  laplacian = std::make_unique<Laplacian>(matrix->matrix(), dim, is_large);
+  if (!is_large)
+    matrix.reset();
 }
 
 template <int dim>
@@ -244,7 +246,7 @@ void Predictor<dim>::follow_rotation(const std::vector<State::Accepted>& path,
   if (sum[0] < negligible * negligible * sum[1])
     return;
   if (!laplacian)
-    factorise();
+    make_laplacian();
   conditions.constraints().set_zero(moments);
   laplacian->solve(moments);
   state.x.block(0) += moments.block(0);

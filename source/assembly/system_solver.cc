@@ -100,6 +100,21 @@ std::map<std::string, double> System<dim>::imbalance() const
 }
 
 template <int dim>
+double System<dim>::halo() const
+{
+  double own = 0., needed = 0.;
+  for (unsigned int b = 0; b < layout.owned().size(); ++b) {
+    dealii::IndexSet others = layout.relevant()[b];
+    others.subtract_set(layout.owned()[b]);
+    own += layout.owned()[b].n_elements();
+    needed += others.n_elements();
+  }
+  const MPI_Comm comm = layout.communicator();
+  return dealii::Utilities::MPI::max(needed, comm) /
+         dealii::Utilities::MPI::min_max_avg(own, comm).avg;
+}
+
+template <int dim>
 std::string System<dim>::solver_description() const
 {
   return "linear solver: " + choice.solver + ", because " + choice.reason +
@@ -114,6 +129,8 @@ template LinearReport System<2>::prepare_solver();
 template LinearReport System<3>::prepare_solver();
 template std::map<std::string, double> System<2>::imbalance() const;
 template std::map<std::string, double> System<3>::imbalance() const;
+template double System<2>::halo() const;
+template double System<3>::halo() const;
 template std::string System<2>::solver_description() const;
 template std::string System<3>::solver_description() const;
 

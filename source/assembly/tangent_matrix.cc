@@ -219,7 +219,13 @@ void TangentMatrix<dim>::find_places(const FieldLayout<dim>& layout)
 template <int dim>
 void TangentMatrix<dim>::clear()
 {
-  tangent = 0.;
+  // Nothing of other ranks is left over: finish() has sent it away. Zeros that go straight to
+  // memory take half the time of Trilinos' own.
+  const unsigned int n_blocks = tangent.n_block_rows();
+  for (unsigned int k = 0; k < block_values.size(); ++k) {
+    const auto& block = tangent.block(k / n_blocks, k % n_blocks).trilinos_matrix();
+    std::fill_n(block_values[k], block.NumMyNonzeros(), 0.);
+  }
   for (double* diagonal : fixed_diagonals)
     *diagonal = 1.;
 }

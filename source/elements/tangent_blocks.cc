@@ -5,6 +5,25 @@
 
 namespace thelma
 {
+namespace
+{
+
+/// Numbers that stand @p step apart.
+struct Strided {
+  const double* begin;
+  unsigned int step;
+};
+
+/// Of each of the n parts one number, then the next; n is known to the compiler.
+template <unsigned int n>
+void interleave(const std::array<Strided, 5>& parts, const unsigned int length, double* row)
+{
+  for (unsigned int b = 0; b < length; ++b)
+    for (unsigned int d = 0; d < n; ++d)
+      row[b * n + d] = parts[d].begin[b * parts[d].step];
+}
+
+} // namespace
 
 void TangentBlocks::reset(const unsigned int nodes, const unsigned int components,
                           const bool is_symmetric)
@@ -47,13 +66,30 @@ void TangentBlocks::write(std::vector<double>& tangent) const
 
 void TangentBlocks::write_row(const unsigned int c, const unsigned int a, double* row) const
 {
+  static const double zero = 0.;
+  std::array<Strided, 5> parts;
   for (unsigned int d = 0; d < n_components; ++d) {
     const bool mirrored = symmetric && d < c;
     const unsigned int block = mirrored ? d * n_components + c : c * n_components + d;
-    const double* entries = values.data() + block * stride * stride + (mirrored ? a : a * stride);
-    const unsigned int step = mirrored ? stride : 1;
-    for (unsigned int b = 0; b < n_nodes; ++b)
-      row[b * n_components + d] = filled[block] ? entries[b * step] : 0.;
+    const double* entries = values.data() + block * stride * stride;
+    if (!filled[block])
+      parts[d] = {&zero, 0};
+    else if (mirrored)
+      parts[d] = {entries + a, stride};
+    else
+      parts[d] = {entries + a * stride, 1};
+  }
+  switch (n_components) {
+  case 1:
+    return interleave<1>(parts, n_nodes, row);
+  case 2:
+    return interleave<2>(parts, n_nodes, row);
+  case 3:
+    return interleave<3>(parts, n_nodes, row);
+  case 4:
+    return interleave<4>(parts, n_nodes, row);
+  default:
+    return interleave<5>(parts, n_nodes, row);
   }
 }
 

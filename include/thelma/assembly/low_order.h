@@ -28,7 +28,6 @@ public:
   unsigned int components(const unsigned int block) const override { return block == 0 ? dim : 1; }
 
 private:
-  using Index = dealii::types::global_dof_index; ///< within a block
   using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;
   static constexpr unsigned int n_corners = 1 << dim;
   using Corners = std::array<unsigned int, n_corners>; ///< nodes of a part of a cell
@@ -47,8 +46,7 @@ private:
                 double eps);
   void add(unsigned int block, const Cell<dim>& cell, const Corners& part,
            const std::vector<double>& entries);
-  std::vector<Index> rows(unsigned int block, const Cell<dim>& cell, const Corners& part) const;
-  bool is_given(unsigned int block, Index row) const;
+  std::vector<long long> rows(unsigned int block, const Cell<dim>& cell, const Corners& part) const;
   std::array<Point, n_corners> points(const Positions& x) const;
   void fix_diagonal(unsigned int block);
 

@@ -3,7 +3,7 @@
 #include <thelma/assembly/tangent_matrix.h>
 #include <thelma/elements/formulation.h>
 #include <thelma/fields/state.h>
-#include <thelma/solvers/mumps.h>
+#include <thelma/solvers/laplacian.h>
 
 #include <memory>
 #include <optional>
@@ -32,8 +32,9 @@ public:
   {
   }
 
-  /// The fields and constraints must stand; @p formulation must live as long as this.
-  void setup(const Formulation<dim>& formulation);
+  /// The fields and constraints must stand; @p formulation must live as long as this. A body whose
+  /// tangents are too large to be factorised @p is_large.
+  void setup(const Formulation<dim>& formulation, bool is_large);
 
   /// Write the guess at @p load into the State's iterate.
   void predict(double load, LoadSymmetry symmetry);
@@ -68,7 +69,7 @@ private:
   /// the load does not reverse, @p odd for the others.
   void combine(const std::vector<State::Accepted>& path, const std::vector<double>& even,
                const std::vector<double>& odd);
-  void factorise();
+  void make_laplacian();
   void follow_rotation(const std::vector<State::Accepted>& path,
                        const std::vector<double>& weights);
   void follow_cells(const std::vector<State::Accepted>& path, const std::vector<double>& weights);
@@ -80,7 +81,9 @@ private:
   State& state;
   const Formulation<dim>* formulation = nullptr;
   std::optional<Integration<dim>> full, reduced;
-  std::unique_ptr<Mumps> laplacian; ///< of each displacement component; null until needed
+  bool is_large = false;
+  std::unique_ptr<TangentMatrix<dim>> matrix; ///< of the Laplacian, as long as it is needed
+  std::unique_ptr<Laplacian> laplacian;       ///< of each displacement component; null until needed
   BlockVector moments, guess;
   unsigned int order = highest_order;
 };

@@ -113,6 +113,9 @@ public:
   /// Of cells and of the tangent's entries: the largest share of a rank over the mean.
   std::map<std::string, double> imbalance() const;
 
+  /// The most unknowns that a rank needs of others, over the mean of its own.
+  double halo() const;
+
   /// Which linear solver serves, and why.
   std::string solver_description() const;
 
