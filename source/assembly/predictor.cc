@@ -1,4 +1,5 @@
 #include <thelma/assembly/predictor.h>
+#include <thelma/base/memory.h>
 #include <thelma/base/rotation.h>
 #include <thelma/elements/integrate.h>
 
@@ -95,7 +96,9 @@ void Predictor<dim>::make_laplacian()
   }
   matrix->finish();
   laplacian = std::make_unique<Laplacian>(matrix->matrix(), dim, is_large);
-  if (!is_large)
+  if (is_large)
+    release_memory();
+  else
     matrix.reset();
 }
 

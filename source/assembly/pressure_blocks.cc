@@ -45,7 +45,7 @@ void PressureBlocks<dim>::update(const std::function<double(std::size_t)>& shear
       }
     C.gauss_jordan();
     schur.gauss_jordan();
-    schur *= 1. / shear_modulus(cell);
+    schur *= 1. / (2. * shear_modulus(cell));
     schur.add(1., C);
     schur.gauss_jordan();
     for (unsigned int i = 0; i < n; ++i)

@@ -1,6 +1,7 @@
 // Which linear solver serves, and what it needs to know of the tangent.
 
 #include <thelma/assembly/system.h>
+#include <thelma/base/memory.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -63,6 +64,7 @@ void System<dim>::keep_pressures()
       layout, conditions, *formulation,
       [this](const std::size_t cell) { return elimination(cell); });
   low_order = std::make_unique<LowOrder<dim>>(layout, conditions, state);
+  release_memory();
 }
 
 template <int dim>

@@ -40,10 +40,10 @@ public:
   /// residual = B u - C q.
   virtual void apply(const Vector& u, const Vector& q, Vector& residual) const = 0;
 
-  /// q = (C + M / mu)^-1 residual, with the mass matrix M: what B A^-1 B^T comes down to.
+  /// q = (C + M / (2 mu))^-1 residual, with the mass matrix M: what B A^-1 B^T comes down to.
   virtual void apply_inverse_schur(const Vector& residual, Vector& q) const = 0;
 
-  /// Inverse square roots of the diagonal of C + M / mu.
+  /// Inverse square roots of the diagonal of C + M / (2 mu).
   virtual Vector inverse_scales() const = 0;
 };
 

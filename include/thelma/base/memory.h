@@ -1,0 +1,10 @@
+#pragma once
+
+namespace thelma
+{
+
+/// Give back to the system what many small pieces, as those of a sparsity pattern, have left in the
+/// heap: large arrays, which come next, do not fit into the gaps.
+void release_memory();
+
+} // namespace thelma
