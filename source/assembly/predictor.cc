@@ -1,5 +1,4 @@
 #include <thelma/assembly/predictor.h>
-#include <thelma/base/memory.h>
 #include <thelma/base/rotation.h>
 #include <thelma/elements/integrate.h>
 
@@ -64,42 +63,6 @@ void Predictor<dim>::setup(const Formulation<dim>& formulation_, const bool larg
   laplacian.reset();
   moments = layout.new_vector();
   guess = layout.new_vector();
-}
-
-template <int dim>
-void Predictor<dim>::make_laplacian()
-{
-  matrix = std::make_unique<TangentMatrix<dim>>();
-  matrix->setup(layout, conditions,
-                [](const Cell<dim>&, const unsigned int c, const unsigned int d) {
-                  return c == d && c < dim;
-                });
-  matrix->clear();
-  std::vector<double> entries;
-  for (std::size_t index = 0; index < layout.cells().size(); ++index) {
-    const Cell<dim>& cell = layout.cells()[index];
-    const std::size_t n = cell.dofs.size(), n_c = cell.n_components;
-    entries.assign(n * n, 0.);
-    for (unsigned int q = 0; q < full->basis().n_points; ++q) {
-      const auto& point = full->of_cell(index)[q];
-      const Gradients<dim> gradients(full->basis(), q, point);
-      for (unsigned int a = 0; a < gradients.n_nodes; ++a)
-        for (unsigned int b = 0; b < gradients.n_nodes; ++b) {
-          double sum = 0.;
-          for (int J = 0; J < dim; ++J)
-            sum += point.JxW * gradients.g[J][a] * gradients.g[J][b];
-          for (int i = 0; i < dim; ++i)
-            entries[(a * n_c + i) * n + b * n_c + i] += sum;
-        }
-    }
-    matrix->add(index, cell, entries);
-  }
-  matrix->finish();
-  laplacian = std::make_unique<Laplacian>(matrix->matrix(), dim, is_large);
-  if (is_large)
-    release_memory();
-  else
-    matrix.reset();
 }
 
 template <int dim>
@@ -253,6 +216,8 @@ void Predictor<dim>::follow_rotation(const std::vector<State::Accepted>& path,
   conditions.constraints().set_zero(moments);
   laplacian->solve(moments);
   state.x.block(0) += moments.block(0);
+  if (is_large)
+    forget_laplacian();
 }
 
 /// The internal unknowns, as seen from the cells at the guess.

@@ -3,6 +3,7 @@
 
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
+#include <deal.II/lac/vector_memory.h>
 
 #include <cmath>
 #include <functional>
@@ -191,8 +192,9 @@ public:
       b.block(k).copy_locally_owned_data_from(vector.block(k));
     op->scale(b);
     dealii::SolverControl control(settings.max_iterations, settings.tolerance * b.l2_norm());
+    dealii::PrimitiveVectorMemory<BlockVector> memory; // the default keeps the vectors for ever
     dealii::SolverFGMRES<BlockVector> krylov(
-        control, dealii::SolverFGMRES<BlockVector>::AdditionalData(most_vectors));
+        control, memory, dealii::SolverFGMRES<BlockVector>::AdditionalData(most_vectors));
     LinearReport report{true, ""};
     try {
       krylov.solve(*op, x, b, BlockTriangular(*op, inverses));

@@ -37,7 +37,7 @@ void LinearSettings::declare(dealii::ParameterHandler& prm)
 
 LinearChoice choose_linear_solver(const LinearSettings& settings, const LinearProblem& problem)
 {
-  constexpr unsigned long long direct_limit = 300000; // doc/scaling.md
+  constexpr unsigned long long direct_limit = 400000; // doc/scaling.md
   const std::string count = std::to_string(problem.unknowns) + " unknowns";
   const bool block_works = problem.pressures_can_be_kept;
   if (settings.solver == "block" && !block_works)

@@ -70,6 +70,7 @@ private:
   void combine(const std::vector<State::Accepted>& path, const std::vector<double>& even,
                const std::vector<double>& odd);
   void make_laplacian();
+  void forget_laplacian();
   void follow_rotation(const std::vector<State::Accepted>& path,
                        const std::vector<double>& weights);
   void follow_cells(const std::vector<State::Accepted>& path, const std::vector<double>& weights);
