@@ -30,7 +30,7 @@ def halo(unknowns, ranks):
 
 
 def seconds(unknowns, ranks, work, iterations):
-    """Of one iteration: (work, halos, reductions, coarsest level); @work is s per unknown on one
+    """Of one iteration: (work, halos, reductions, coarsest level); `work` is s per unknown on one
     rank. The j-th iteration takes j + 1 scalar products."""
     own = unknowns / ranks
     if ranks == 1:

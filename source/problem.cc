@@ -76,7 +76,7 @@ void Problem<dim>::setup()
   if (pressure.exist())
     system.set_pressure(pressure);
   transient.setup(system, loading.voltage(1.), theta);
-  predictor.setup(system.element(), system.iterates());
+  predictor.setup(system.element(), system.uses_multigrid());
   state.start();
 
   outcome.modelled = layout.summary();

@@ -68,8 +68,7 @@ std::vector<Edge<dim>> own_edges(const Mesh<dim>& mesh, const FieldLayout<dim>& 
   std::vector<Edge<dim>> edges;
   std::vector<dealii::types::global_dof_index> indices;
   for (const auto& [entity, vertices] : mesh.surface(name, pressure_entry)) {
-    const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
-        &mesh.triangulation(), entity->level(), entity->index(), &layout.dof_handler());
+    const auto cell = layout.with_unknowns(entity);
     layout.unknowns(cell, indices);
     for (const std::vector<unsigned int>& corners : corners_of_edges<dim>(vertices)) {
       edges.emplace_back();

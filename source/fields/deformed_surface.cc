@@ -1,9 +1,8 @@
 #include <thelma/base/error.h>
 #include <thelma/fields/deformed_surface.h>
+#include <thelma/fields/outer_faces.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
 
 #include <map>
 
@@ -23,31 +22,27 @@ void DeformedSurface<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& 
                            QGauss<dim - 1>(layout.degree() + 1),
                            update_values | update_gradients | update_JxW_values |
                                update_normal_vectors | update_quadrature_points);
-  bool outer = false;
-  for (const auto& [entity, vertices] : mesh.surface(name, place))
-    for (unsigned int f = 0; f < GeometryInfo<dim>::faces_per_cell; ++f) {
-      if (face_vertices<dim>(f) != vertices || !entity->face(f)->at_boundary())
-        continue;
-      outer = true;
-      values.reinit(entity, f);
-      Face face{own.at(entity->active_cell_index()), nullptr, {}};
-      face.cell = &layout.cells()[face.index];
-      for (unsigned int a = 0; a < values.dofs_per_cell; ++a)
-        if (layout.scalar_element().has_support_on_face(a, f))
-          face.nodes.push_back(a);
-      points.emplace_back();
-      for (const unsigned int q : values.quadrature_point_indices()) {
-        Undeformed point{
-            values.JxW(q), values.quadrature_point(q), values.normal_vector(q), {}, {}};
-        for (const unsigned int a : face.nodes)
-          point.shape.push_back(values.shape_value(a, q));
+  const bool outer =
+      visit_outer_faces(mesh, name, place, [&](const auto& entity, const unsigned int f) {
+        values.reinit(entity, f);
+        Face face{own.at(entity->active_cell_index()), nullptr, {}};
+        face.cell = &layout.cells()[face.index];
         for (unsigned int a = 0; a < values.dofs_per_cell; ++a)
-          point.gradients.push_back(values.shape_grad(a, q));
-        points.back().push_back(point);
-      }
-      faces.push_back(face);
-    }
-  if (!Utilities::MPI::logical_or(outer, layout.communicator()))
+          if (layout.scalar_element().has_support_on_face(a, f))
+            face.nodes.push_back(a);
+        points.emplace_back();
+        for (const unsigned int q : values.quadrature_point_indices()) {
+          Undeformed point{
+              values.JxW(q), values.quadrature_point(q), values.normal_vector(q), {}, {}};
+          for (const unsigned int a : face.nodes)
+            point.shape.push_back(values.shape_value(a, q));
+          for (unsigned int a = 0; a < values.dofs_per_cell; ++a)
+            point.gradients.push_back(values.shape_grad(a, q));
+          points.back().push_back(point);
+        }
+        faces.push_back(face);
+      });
+  if (!outer)
     throw InputError(place + ": '" + name +
                      "' is no outer surface of the body; name one that has the body on one side");
 }

@@ -41,8 +41,7 @@ dofs_on(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string
   std::vector<dealii::types::global_dof_index> indices;
   std::set<dealii::types::global_dof_index> dofs;
   for (const auto& [entity, vertices] : mesh.surface(surface, place)) {
-    const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
-        &mesh.triangulation(), entity->level(), entity->index(), &layout.dof_handler());
+    const auto cell = layout.with_unknowns(entity);
     layout.unknowns(cell, indices);
     for (unsigned int a = 0; a < points.size(); ++a)
       if (lies_on<dim>(points[a], vertices))

@@ -34,9 +34,7 @@ struct SurfaceMean {
         continue;
       }
       values.reinit(entity.cell, *face);
-      const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
-          &scene.mesh.triangulation(), entity.cell->level(), entity.cell->index(),
-          &scene.layout.dof_handler());
+      const auto cell = scene.layout.with_unknowns(entity.cell);
       scene.layout.unknowns(cell, dofs);
       for (const unsigned int q : values.quadrature_point_indices()) {
         area += values.JxW(q);

@@ -160,6 +160,7 @@ public:
 
   bool keeps_pressures() const override { return true; }
   bool iterates() const override { return true; }
+  bool uses_multigrid() const override { return !factors; }
 
   /// The preconditioner costs a few iterations and saves more when it is the tangent's own.
   LinearReport prepare(const Tangent& tangent) override

@@ -11,12 +11,8 @@ Laplacian::Laplacian(const Matrix& laplacian, const unsigned int n_components, c
   if (iterates) {
     matrix = &laplacian;
     multigrid.setup(matrix->block(0, 0), n_components, {});
-  } else
-    factorise(laplacian);
-}
-
-void Laplacian::factorise(const Matrix& laplacian)
-{
+    return;
+  }
   factors = std::make_unique<Mumps>(laplacian.get_mpi_communicator(), true, Mumps::Ordering::quick);
   factors->factorise(laplacian);
 }
@@ -33,9 +29,7 @@ void Laplacian::solve(BlockVector& vector)
   dealii::SolverControl control(100, 1e-6 * b.l2_norm());
   try {
     dealii::SolverCG<Multigrid::Vector>(control).solve(block, x, b, multigrid);
-  } catch (const dealii::SolverControl::NoConvergence&) { // flat cells; their factors are small
-    factorise(*matrix);
-    return factors->solve(vector);
+  } catch (const dealii::SolverControl::NoConvergence&) { // what there is does for a guess
   }
   vector.block(0).copy_locally_owned_data_from(x);
 }

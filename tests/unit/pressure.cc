@@ -1,9 +1,7 @@
 // A follower pressure: its tangent against its forces, its forces against the enclosed volume whose
 // gradient they are, and the volumes of a sphere and a tube in closed form.
 
-#include "scene.h"
-
-#include <thelma/solvers/mumps.h>
+#include "derivatives.h"
 
 #include <gtest/gtest.h>
 
@@ -68,24 +66,6 @@ struct Pressed {
   TestScene<dim> scene;
   FollowerPressure<dim> pressure;
 };
-
-/// Fourth-order central difference of @p quantity() along @p direction.
-template <int dim, typename Quantity, typename Add>
-void differentiate(TestScene<dim>& scene, const BlockVector& direction, const Quantity& quantity,
-                   const Add& add)
-{
-  const BlockVector x = scene.state.x;
-  const double h = 1e-2;
-  for (const auto& [step, weight] :
-       {std::pair{h, 8. / 12.}, {-h, -8. / 12.}, {2 * h, -1. / 12.}, {-2 * h, 1. / 12.}}) {
-    scene.state.x = x;
-    scene.state.x.add(step, direction);
-    scene.state.x.update_ghost_values();
-    add(weight / h, quantity());
-  }
-  scene.state.x = x;
-  scene.state.x.update_ghost_values();
-}
 
 template <int dim>
 void check_forces(const std::string& text)
@@ -174,28 +154,10 @@ TEST(FollowerPressureTangent, GivesNewtonSecondOrder)
   Pressed<3> pressed(balloon(2));
   pressed.pressure.apply(0.1); // about the shear modulus: more, and directions lose their stiffness
   TestScene<3>& scene = pressed.scene;
-  const BlockVector solution = scene.state.x;
   ASSERT_TRUE(scene.system.residual().admissible());
-  const BlockVector forces = scene.system.free_residual();
   BlockVector direction = scene.layout.new_vector();
   add_noise(scene, {3e-4, 3e-2, 0.}, direction);
-  Mumps solver(MPI_COMM_WORLD, true);
-  const auto error_after_a_step_from = [&](const double distance) {
-    scene.state.x = solution;
-    scene.state.x.add(distance, direction);
-    scene.state.x.update_ghost_values();
-    scene.system.relax_internal();
-    EXPECT_TRUE(scene.system.residual().admissible());
-    scene.system.assemble_tangent();
-    EXPECT_TRUE(solver.factorise(scene.system.tangent()).solved);
-    BlockVector correction = forces;
-    correction -= scene.system.free_residual();
-    solver.solve(correction);
-    correction.add(distance, direction);
-    return correction.l2_norm();
-  };
-  const double far = error_after_a_step_from(0.02), near = error_after_a_step_from(0.01);
-  EXPECT_GE(std::log2(far / near), 1.8) << far << " " << near;
+  expect_second_order(scene, direction, 0.02);
 }
 
 /// The error of quadratic arcs falls with the fourth power of their length.

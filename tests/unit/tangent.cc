@@ -1,11 +1,9 @@
 // The assembled tangent against the residual it claims to be the derivative of, and the order of
 // Newton's method that follows from it. The truth is the residual itself.
 
-#include "scene.h"
+#include "derivatives.h"
 
 #include <deal.II/fe/mapping_q1.h>
-
-#include <thelma/solvers/mumps.h>
 
 #include <gtest/gtest.h>
 
@@ -101,18 +99,15 @@ TEST_P(Tangent, IsTheDerivativeOfTheResidual)
     BlockVector product = scene.layout.new_vector();
     scene.system.tangent().vmult(product, direction);
 
-    // Fourth-order central difference.
     BlockVector slope = scene.layout.new_vector();
-    const double h = 1e-2;
-    for (const auto& [step, weight] :
-         {std::pair{h, 8. / 12.}, {-h, -8. / 12.}, {2 * h, -1. / 12.}, {-2 * h, 1. / 12.}}) {
-      scene.state.x = x;
-      scene.state.x.add(step, direction);
-      scene.state.x.update_ghost_values();
-      scene.system.relax_internal();
-      ASSERT_TRUE(scene.system.residual().admissible());
-      slope.add(weight / h, scene.system.free_residual());
-    }
+    differentiate(
+        scene, direction,
+        [&]() {
+          scene.system.relax_internal();
+          EXPECT_TRUE(scene.system.residual().admissible());
+          return scene.system.free_residual();
+        },
+        [&](const double weight, const BlockVector& residual) { slope.add(weight, residual); });
     for (unsigned int row = 0; row < x.n_blocks(); ++row) {
       auto difference = product.block(row);
       difference -= slope.block(row);
@@ -132,29 +127,10 @@ TEST_P(Tangent, GivesNewtonSecondOrder)
   const Case c = GetParam();
   TestScene<3> scene(bilayer(c.temperature, c.formulation, c.degree), 330.);
   set_state(c, 0.001, scene); // with more, directions lose their stiffness
-  const BlockVector solution = scene.state.x;
   ASSERT_TRUE(scene.system.residual().admissible());
-  const BlockVector forces = scene.system.free_residual();
   BlockVector direction = scene.layout.new_vector();
   add_noise(scene, {3e-4, 3e-2, 0.3}, direction);
-
-  Mumps solver(MPI_COMM_WORLD, scene.system.is_symmetric());
-  const auto error_after_a_step_from = [&](const double distance) {
-    scene.state.x = solution;
-    scene.state.x.add(distance, direction);
-    scene.state.x.update_ghost_values();
-    scene.system.relax_internal();
-    EXPECT_TRUE(scene.system.residual().admissible());
-    scene.system.assemble_tangent();
-    EXPECT_TRUE(solver.factorise(scene.system.tangent()).solved);
-    BlockVector correction = forces;
-    correction -= scene.system.free_residual();
-    solver.solve(correction);
-    correction.add(distance, direction);
-    return correction.l2_norm();
-  };
-  const double far = error_after_a_step_from(2e-3), near = error_after_a_step_from(1e-3);
-  EXPECT_GE(std::log2(far / near), 1.8) << far << " " << near;
+  expect_second_order(scene, direction, 2e-3);
 }
 
 /// The residual is the slope of what the formulation says it stores, elastic minus electric

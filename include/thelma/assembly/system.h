@@ -110,6 +110,9 @@ public:
   /// Whether linear solves take iterations.
   bool iterates() const { return solver && solver->iterates(); }
 
+  /// Whether factors would be too large.
+  bool uses_multigrid() const { return solver->uses_multigrid(); }
+
   /// Of cells and of the tangent's entries: the largest share of a rank over the mean.
   std::map<std::string, double> imbalance() const;
 

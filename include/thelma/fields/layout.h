@@ -87,6 +87,13 @@ public:
     return stand_ins;
   }
 
+  /// A cell of the mesh as one with unknowns.
+  typename dealii::DoFHandler<dim>::active_cell_iterator
+  with_unknowns(const typename Mesh<dim>::CellIterator& cell) const
+  {
+    return {&dofs.get_triangulation(), cell->level(), cell->index(), &dofs};
+  }
+
   /// The unknowns of a cell in the order of its element.
   void unknowns(const typename dealii::DoFHandler<dim>::active_cell_iterator& cell,
                 std::vector<dealii::types::global_dof_index>& indices) const;

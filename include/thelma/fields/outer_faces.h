@@ -26,9 +26,24 @@ struct OuterFace {
   }
 };
 
-/// Call @p visit(OuterFace) for every face of the surface @p name at the boundary of the body on a
-/// cell of this rank; whether there is one on any rank. Throws InputError, with @p place in the
-/// sentence, for an unknown name.
+/// Call @p visit(cell, number of the face) for every face of the surface @p name at the boundary of
+/// the body on a cell of this rank; whether there is one on any rank. Throws InputError, with @p
+/// place in the sentence, for an unknown name.
+template <int dim, typename Visitor>
+bool visit_outer_faces(const Mesh<dim>& mesh, const std::string& name, const std::string& place,
+                       const Visitor& visit)
+{
+  bool outer = false;
+  for (const auto& [cell, vertices] : mesh.surface(name, place))
+    for (unsigned int f = 0; f < dealii::GeometryInfo<dim>::faces_per_cell; ++f)
+      if (face_vertices<dim>(f) == vertices && cell->face(f)->at_boundary()) {
+        outer = true;
+        visit(cell, f);
+      }
+  return dealii::Utilities::MPI::logical_or(outer, mesh.communicator());
+}
+
+/// visit_outer_faces() with @p visit(OuterFace).
 template <int dim, typename Visitor>
 bool for_each_outer_face(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
                          const std::string& name, const std::string& place,
@@ -37,19 +52,12 @@ bool for_each_outer_face(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
   dealii::FEFaceValues<dim> values(layout.mapping(), layout.scalar_element(), quadrature,
                                    dealii::update_values | dealii::update_JxW_values);
   std::vector<dealii::types::global_dof_index> indices;
-  bool outer = false;
-  for (const auto& [entity, vertices] : mesh.surface(name, place))
-    for (unsigned int f = 0; f < dealii::GeometryInfo<dim>::faces_per_cell; ++f) {
-      if (face_vertices<dim>(f) != vertices || !entity->face(f)->at_boundary())
-        continue;
-      outer = true;
-      const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
-          &mesh.triangulation(), entity->level(), entity->index(), &layout.dof_handler());
-      layout.unknowns(cell, indices);
-      values.reinit(entity, f);
-      visit(OuterFace<dim>{values, layout, indices, cell->active_fe_index()});
-    }
-  return dealii::Utilities::MPI::logical_or(outer, layout.communicator());
+  return visit_outer_faces(mesh, name, place, [&](const auto& entity, const unsigned int f) {
+    const auto cell = layout.with_unknowns(entity);
+    layout.unknowns(cell, indices);
+    values.reinit(entity, f);
+    visit(OuterFace<dim>{values, layout, indices, cell->active_fe_index()});
+  });
 }
 
 } // namespace thelma

@@ -27,8 +27,6 @@ public:
   void solve(BlockVector& vector);
 
 private:
-  void factorise(const Matrix& laplacian);
-
   const Matrix* matrix = nullptr; ///< if it iterates
   Multigrid multigrid;
   std::unique_ptr<Mumps> factors; ///< or else

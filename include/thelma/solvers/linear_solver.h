@@ -110,6 +110,9 @@ public:
   /// Whether LinearReport::iterations is.
   virtual bool iterates() const { return false; }
 
+  /// Whether it works by multigrid, in a body whose factors are too large.
+  virtual bool uses_multigrid() const { return false; }
+
   /// Whether LinearReport::negative_pivots is known.
   virtual bool has_inertia() const { return false; }
 
