@@ -123,6 +123,15 @@ bool has_potential(const Edge<dim>& edge)
   return given.size() + 1 >= dim || std::any_of(given.begin(), given.end(), is_flat);
 }
 
+template <int dim>
+[[noreturn]] void refuse(const std::string& name, const Edge<dim>& edge)
+{
+  throw InputError(pressure_entry + ": an edge of '" + name + "' is free at " +
+                   dealii::Patterns::Tools::to_string(edge.front().X) +
+                   " mm, so that the pressure has no energy; hold it or support it in its symmetry "
+                   "plane");
+}
+
 } // namespace
 
 template <int dim>
@@ -148,11 +157,7 @@ void FollowerPressure<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>&
       surfaces.back().surface.setup(mesh, fields, name, pressure_entry);
       for (const auto& edge : edges_of(mesh, fields, conditions, name))
         if (!has_potential<dim>(edge))
-          throw InputError(
-              pressure_entry + ": an edge of '" + name + "' is free at " +
-              dealii::Patterns::Tools::to_string(edge.front().X) +
-              " mm, so that the pressure has no energy; hold it or support it in its symmetry "
-              "plane");
+          refuse<dim>(name, edge);
     });
   complaints.raise();
 }

@@ -20,7 +20,7 @@ void interleave(const std::array<Strided, 5>& parts, const unsigned int length, 
 {
   for (unsigned int b = 0; b < length; ++b)
     for (unsigned int d = 0; d < n; ++d)
-      row[b * n + d] = parts[d].begin[b * parts[d].step];
+      row[b * n + d] = parts[d].begin[std::size_t(b) * parts[d].step];
 }
 
 } // namespace
@@ -33,13 +33,13 @@ void TangentBlocks::reset(const unsigned int nodes, const unsigned int component
   n_components = components;
   symmetric = is_symmetric;
   filled.fill(false);
-  values.resize_fast(components * components * stride * stride);
+  values.resize_fast(std::size_t(components) * components * block_size());
 }
 
 void TangentBlocks::add_product(const unsigned int c, const unsigned int d, const unsigned int n_k,
                                 const double* const* A, const double* B)
 {
-  bool& add = filled[c * n_components + d];
+  bool& add = filled[place(c, d)];
   product({n_k, stride, A, B, begin(c, d), add});
   add = true;
 }
@@ -47,16 +47,16 @@ void TangentBlocks::add_product(const unsigned int c, const unsigned int d, cons
 double& TangentBlocks::entry(const unsigned int c, const unsigned int d, const unsigned int a,
                              const unsigned int b)
 {
-  bool& is_filled = filled[c * n_components + d];
+  bool& is_filled = filled[place(c, d)];
   if (!is_filled)
-    std::fill_n(begin(c, d), stride * stride, 0.);
+    std::fill_n(begin(c, d), block_size(), 0.);
   is_filled = true;
-  return begin(c, d)[a * stride + b];
+  return begin(c, d)[std::size_t(a) * stride + b];
 }
 
 void TangentBlocks::write(std::vector<double>& tangent) const
 {
-  const std::size_t n = n_nodes * n_components;
+  const std::size_t n = std::size_t(n_nodes) * n_components;
   tangent.resize(n * n);
   double* row = tangent.data();
   for (unsigned int a = 0; a < n_nodes; ++a)
@@ -70,14 +70,14 @@ void TangentBlocks::write_row(const unsigned int c, const unsigned int a, double
   std::array<Strided, 5> parts;
   for (unsigned int d = 0; d < n_components; ++d) {
     const bool mirrored = symmetric && d < c;
-    const unsigned int block = mirrored ? d * n_components + c : c * n_components + d;
-    const double* entries = values.data() + block * stride * stride;
+    const std::size_t block = mirrored ? place(d, c) : place(c, d);
+    const double* entries = values.data() + block * block_size();
     if (!filled[block])
       parts[d] = {&zero, 0};
     else if (mirrored)
       parts[d] = {entries + a, stride};
     else
-      parts[d] = {entries + a * stride, 1};
+      parts[d] = {entries + std::size_t(a) * stride, 1};
   }
   switch (n_components) {
   case 1:

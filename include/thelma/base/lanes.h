@@ -110,7 +110,7 @@ Number positive(const Number& x)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   if constexpr (std::is_same<Number, Lanes>::value)
-    return x.each([](const double y) { return y > 0. ? y : nan; });
+    return x.each([nan](const double y) { return y > 0. ? y : nan; });
   else
     return x > 0. ? x : Number(nan);
 }

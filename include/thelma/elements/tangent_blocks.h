@@ -32,8 +32,13 @@ public:
 private:
   double* begin(const unsigned int c, const unsigned int d)
   {
-    return values.data() + (c * n_components + d) * stride * stride;
+    return values.data() + place(c, d) * block_size();
   }
+  std::size_t place(const unsigned int c, const unsigned int d) const
+  {
+    return std::size_t(c) * n_components + d;
+  }
+  std::size_t block_size() const { return std::size_t(stride) * stride; }
   void write_row(unsigned int c, unsigned int a, double* row) const;
 
   unsigned int n_nodes = 0, stride = 0, n_components = 0;
