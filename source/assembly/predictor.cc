@@ -216,8 +216,6 @@ void Predictor<dim>::follow_rotation(const std::vector<State::Accepted>& path,
   conditions.constraints().set_zero(moments);
   laplacian->solve(moments);
   state.x.block(0) += moments.block(0);
-  if (is_large)
-    forget_laplacian();
 }
 
 /// The internal unknowns, as seen from the cells at the guess.

@@ -1,7 +1,7 @@
 // The matrix of theory.md, eq. 28.
 
 #include <thelma/assembly/predictor.h>
-#include <thelma/base/memory.h>
+#include <thelma/assembly/tangent_matrix.h>
 #include <thelma/elements/integrate.h>
 
 namespace thelma
@@ -10,12 +10,12 @@ namespace thelma
 template <int dim>
 void Predictor<dim>::make_laplacian()
 {
-  matrix = std::make_unique<TangentMatrix<dim>>();
-  matrix->setup(layout, conditions,
-                [](const Cell<dim>&, const unsigned int c, const unsigned int d) {
-                  return c == d && c < dim;
-                });
-  matrix->clear();
+  TangentMatrix<dim> matrix;
+  matrix.setup(layout, conditions,
+               [](const Cell<dim>&, const unsigned int c, const unsigned int d) {
+                 return c == d && c < dim;
+               });
+  matrix.clear();
   std::vector<double> entries;
   for (std::size_t index = 0; index < layout.cells().size(); ++index) {
     const Cell<dim>& cell = layout.cells()[index];
@@ -33,28 +33,13 @@ void Predictor<dim>::make_laplacian()
             entries[(a * n_c + i) * n + b * n_c + i] += sum;
         }
     }
-    matrix->add(index, cell, entries);
+    matrix.add(index, cell, entries);
   }
-  matrix->finish();
-  if (is_large)
-    release_memory();
-  laplacian = std::make_unique<Laplacian>(matrix->matrix(), dim, is_large);
-  if (!is_large)
-    matrix.reset();
-}
-
-/// Where it is large there is no room for it beside a tangent that is being solved.
-template <int dim>
-void Predictor<dim>::forget_laplacian()
-{
-  laplacian.reset();
-  matrix.reset();
-  release_memory();
+  matrix.finish();
+  laplacian = std::make_unique<Laplacian>(matrix.matrix(), is_large);
 }
 
 template void Predictor<2>::make_laplacian();
 template void Predictor<3>::make_laplacian();
-template void Predictor<2>::forget_laplacian();
-template void Predictor<3>::forget_laplacian();
 
 } // namespace thelma

@@ -44,7 +44,7 @@ void System<dim>::choose_solver()
     problem.unknowns += layout.n_dofs(field);
   problem.flatness = flatness(layout);
   problem.is_symmetric = is_symmetric();
-  problem.pressures_can_be_kept = formulation->n_kept_pressures() > 0 && is_symmetric();
+  problem.pressures_can_be_kept = formulation->n_kept_pressures() > 0;
   problem.needs_inertia = needs_inertia;
   choice = choose_linear_solver(linear_settings, problem);
   if (solved == Solved::temperature)
@@ -75,11 +75,18 @@ LinearReport System<dim>::prepare_solver()
     is_solved.push_back(solved == Solved::all ||
                         (field == Field::temperature) == (solved == Solved::temperature));
   if (pressures)
-    pressures->update([this](const std::size_t cell) {
-      return layout.cells()[cell].material->shear_modulus(state.theta);
+    pressures->update([this](const std::size_t index) {
+      const Cell<dim>& cell = layout.cells()[index];
+      const double theta = layout.has(Field::temperature)
+                               ? state.x.block(layout.block(Field::temperature))
+                                     .local_element(cell.local[cell.n_components - 1])
+                               : state.theta;
+      return cell.material->shear_modulus(theta);
     });
+  const unsigned int n_symmetric =
+      is_symmetric() ? layout.fields().size() : layout.block(Field::temperature);
   LinearReport report =
-      solver->prepare({matrix.matrix(), pressures.get(), low_order.get(), is_solved});
+      solver->prepare({matrix.matrix(), pressures.get(), low_order.get(), is_solved, n_symmetric});
   if (report.solved) {
     floating.finish(*solver);
     report.negative_pivots += floating.negative_pivots();

@@ -9,7 +9,6 @@
 #include <Epetra_CrsMatrix.h>
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <utility>
 
@@ -18,7 +17,7 @@ namespace thelma
 namespace
 {
 
-using BlockMatrix = dealii::TrilinosWrappers::BlockSparseMatrix;
+using SparseMatrices = dealii::TrilinosWrappers::BlockSparseMatrix;
 
 /// A stored row of a block, by Trilinos' local numbers.
 struct Row {
@@ -42,7 +41,8 @@ struct Row {
 class CellColumns
 {
 public:
-  CellColumns(const BlockMatrix& matrix, const std::vector<dealii::types::global_dof_index>& dofs,
+  CellColumns(const SparseMatrices& matrix,
+              const std::vector<dealii::types::global_dof_index>& dofs,
               const std::vector<unsigned int>& block)
       : matrix(matrix), block(block), ids(matrix.n_block_rows())
   {
@@ -71,7 +71,7 @@ public:
   }
 
 private:
-  const BlockMatrix& matrix;
+  const SparseMatrices& matrix;
   const std::vector<unsigned int>& block;
   std::vector<int> indices;          ///< of the cell's unknowns in their blocks
   std::vector<std::vector<int>> ids; ///< [block of the row][unknown of the cell]

@@ -1,3 +1,4 @@
+#include <thelma/solvers/mixed_operator.h>
 #include <thelma/solvers/multigrid.h>
 #include <thelma/solvers/mumps.h>
 
@@ -5,7 +6,6 @@
 #include <deal.II/lac/solver_gmres.h>
 #include <deal.II/lac/vector_memory.h>
 
-#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -15,100 +15,14 @@ namespace thelma
 namespace
 {
 
-using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
-using BlockVector = dealii::LinearAlgebra::distributed::BlockVector<double>;
-using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;
+using Vector = MixedOperator::Vector;
+using BlockVector = MixedOperator::BlockVector;
 
 /// x = approximate inverse times b; empty where a block is the identity.
 using Inverse = std::function<void(Vector& x, const Vector& b)>;
 
-/// The tangent with its pressures as last block. Rows are scaled so that the norm of a residual
-/// makes sense in whatever units its fields have.
-class MixedOperator
-{
-public:
-  explicit MixedOperator(const Tangent& tangent)
-      : tangent(tangent), n(tangent.matrix.n_block_rows())
-  {
-    std::vector<double> sizes;
-    for (unsigned int b = 0; b < n; ++b) {
-      const auto& block = tangent.matrix.block(b, b);
-      sizes.push_back(block.frobenius_norm() / std::sqrt(static_cast<double>(block.m())));
-      row_scales.push_back(std::sqrt(sizes[0] / sizes[b]));
-    }
-    if (tangent.pressures) {
-      pressure_scales = tangent.pressures->inverse_scales();
-      pressure_scales *= std::sqrt(sizes[0]);
-    }
-  }
-
-  /// A zero vector of the unknowns, without ghosts.
-  BlockVector new_vector() const
-  {
-    BlockVector vector(n + (tangent.pressures ? 1 : 0));
-    for (unsigned int b = 0; b < n; ++b)
-      vector.block(b).reinit(tangent.matrix.block(b, b).locally_owned_range_indices(),
-                             tangent.matrix.get_mpi_communicator());
-    if (tangent.pressures)
-      vector.block(n) = tangent.pressures->new_vector();
-    vector.collect_sizes();
-    return vector;
-  }
-
-  void vmult(BlockVector& y, const BlockVector& x) const
-  {
-    for (unsigned int b = 0; b < n; ++b) {
-      tangent.matrix.block(b, b).vmult(y.block(b), x.block(b));
-      for (unsigned int c = 0; c < n; ++c)
-        if (c != b)
-          add(b, c, 1., x.block(c), y.block(b));
-    }
-    if (tangent.pressures) {
-      tangent.pressures->add_forces(x.block(n), y.block(0));
-      tangent.pressures->apply(x.block(0), x.block(n), y.block(n));
-    }
-    scale(y);
-  }
-
-  /// y += factor K_bc x.
-  void add(const unsigned int b, const unsigned int c, const double factor, const Vector& x,
-           Vector& y) const
-  {
-    const SparseMatrix& block = tangent.matrix.block(b, c);
-    if (block.n_nonzero_elements() == 0)
-      return;
-    Vector product(y);
-    block.vmult(product, x);
-    y.add(factor, product);
-  }
-
-  void scale(BlockVector& y) const
-  {
-    for (unsigned int b = 0; b < n; ++b)
-      y.block(b) *= row_scales[b];
-    if (tangent.pressures)
-      y.block(n).scale(pressure_scales);
-  }
-
-  void unscale(BlockVector& y) const
-  {
-    for (unsigned int b = 0; b < n; ++b)
-      y.block(b) /= row_scales[b];
-    if (tangent.pressures)
-      for (std::size_t i = 0; i < pressure_scales.locally_owned_size(); ++i)
-        y.block(n).local_element(i) /= pressure_scales.local_element(i);
-  }
-
-  Tangent tangent;
-  unsigned int n; ///< blocks without the pressures
-
-private:
-  std::vector<double> row_scales;
-  Vector pressure_scales;
-};
-
 /// From the last block to the first: pressures by their Schur complement, temperature, potential
-/// and displacements by multigrid, each with what the later ones do to it taken off.
+/// and displacements by multigrid or factors, each with what the later ones do to it taken off.
 class BlockTriangular
 {
 public:
@@ -121,10 +35,10 @@ public:
   {
     BlockVector r = scaled;
     op.unscale(r);
-    const unsigned int n = op.n;
-    if (op.tangent.pressures) {
-      op.tangent.pressures->apply_inverse_schur(r.block(n), z.block(n));
-      op.tangent.pressures->add_forces(z.block(n), r.block(0));
+    const unsigned int n = op.size();
+    if (op.pressures()) {
+      op.pressures()->apply_inverse_schur(r.block(n), z.block(n));
+      op.pressures()->add_forces(z.block(n), r.block(0));
       z.block(n) *= -1.;
     }
     for (unsigned int b = n; b-- > 0;) {
@@ -136,8 +50,6 @@ public:
         if (inverses[c])
           op.add(b, c, -1., z.block(c), r.block(b));
       inverses[b](z.block(b), r.block(b));
-      if (op.tangent.surrogates->matrix(b) && b > 0)
-        z.block(b) *= -1.; // the potential's block is negative
     }
   }
 
@@ -153,34 +65,32 @@ public:
   void setup(const MPI_Comm comm, const LinearProblem& problem,
              const LinearSettings& chosen) override
   {
+    communicator = comm;
     settings = chosen;
-    if (problem.flatness > LinearProblem::flat)
-      factors = std::make_unique<Mumps>(comm, true);
+    is_flat = problem.flatness > LinearProblem::flat;
   }
 
   bool keeps_pressures() const override { return true; }
   bool iterates() const override { return true; }
-  bool uses_multigrid() const override { return !factors; }
+  bool uses_multigrid() const override { return !is_flat; }
 
   /// The preconditioner costs a few iterations and saves more when it is the tangent's own.
   LinearReport prepare(const Tangent& tangent) override
   {
+    inverses.clear(); // the old ones' memory first
     op.emplace(tangent);
     tangent.surrogates->update();
-    inverses.assign(op->n, {});
-    for (unsigned int b = 0; b < op->n; ++b)
+    inverses.resize(op->size());
+    factors.resize(op->size());
+    for (unsigned int b = 0; b < op->size(); ++b)
       if (tangent.solved[b]) {
-        const SparseMatrix* stand_in = tangent.surrogates->matrix(b);
-        const SparseMatrix& matrix = stand_in ? *stand_in : tangent.matrix.block(b, b);
-        if (b == 0 && factors) {
-          if (const LinearReport report = factors->factorise(matrix); !report.solved)
-            return report;
-          inverses[b] = [this](Vector& x, const Vector& r) {
-            x = r;
-            factors->solve(x);
-          };
-        } else
-          inverses[b] = cycle(b, matrix, *tangent.surrogates);
+        Surrogate surrogate = tangent.surrogates->surrogate(b);
+        if (!surrogate.matrix)
+          surrogate.matrix = &tangent.matrix.block(b, b);
+        const LinearReport report =
+            is_flat ? factorise(b, surrogate) : set_up_cycle(b, surrogate, *tangent.surrogates);
+        if (!report.solved)
+          return report;
       }
     // Assembly against residual and solution: a new tangent hardly costs more than an old one.
     return {true, "", true, 0, 1.5};
@@ -189,7 +99,7 @@ public:
   LinearReport solve(BlockVector& vector) override
   {
     BlockVector x = op->new_vector(), b = x;
-    for (unsigned int k = 0; k < op->n; ++k)
+    for (unsigned int k = 0; k < op->size(); ++k)
       b.block(k).copy_locally_owned_data_from(vector.block(k));
     op->scale(b);
     dealii::SolverControl control(settings.max_iterations, settings.tolerance * b.l2_norm());
@@ -205,7 +115,7 @@ public:
                       std::to_string(settings.max_iterations) + " iterations";
     }
     report.iterations = control.last_step();
-    for (unsigned int k = 0; k < op->n; ++k)
+    for (unsigned int k = 0; k < op->size(); ++k)
       vector.block(k).copy_locally_owned_data_from(x.block(k));
     return report;
   }
@@ -213,19 +123,36 @@ public:
 private:
   static constexpr unsigned int most_vectors = 80; ///< before a restart
 
-  static Inverse cycle(const unsigned int block, const SparseMatrix& matrix,
-                       const Surrogates& surrogates)
+  LinearReport set_up_cycle(const unsigned int block, const Surrogate& surrogate,
+                            const Surrogates& surrogates)
   {
     const auto multigrid = std::make_shared<Multigrid>();
-    multigrid->setup(matrix, block == 0 ? surrogates.components(block) : 1,
-                     block == 0 ? surrogates.rigid_motions() : std::vector<std::vector<double>>());
-    return [multigrid](Vector& x, const Vector& b) { multigrid->vmult(x, b); };
+    inverses[block] = [multigrid, sign = surrogate.sign](Vector& x, const Vector& b) {
+      multigrid->vmult(x, b);
+      x *= sign;
+    };
+    return multigrid->setup(surrogate, surrogates.components(block),
+                            block == 0 ? surrogates.rigid_motions()
+                                       : std::vector<std::vector<double>>());
   }
 
+  LinearReport factorise(const unsigned int block, const Surrogate& surrogate)
+  {
+    if (!factors[block])
+      factors[block] = std::make_unique<Mumps>(communicator, true);
+    inverses[block] = [this, block, sign = surrogate.sign](Vector& x, const Vector& b) {
+      x.equ(sign, b);
+      factors[block]->solve(x);
+    };
+    return factors[block]->factorise(*surrogate.matrix);
+  }
+
+  MPI_Comm communicator = MPI_COMM_SELF;
   LinearSettings settings;
+  bool is_flat = false;
   std::optional<MixedOperator> op;
   std::vector<Inverse> inverses;
-  std::unique_ptr<Mumps> factors; ///< of the displacements' stand-in, in a flat body
+  std::vector<std::unique_ptr<Mumps>> factors; ///< of every block, in a flat body
 };
 
 } // namespace

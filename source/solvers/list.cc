@@ -37,14 +37,13 @@ void LinearSettings::declare(dealii::ParameterHandler& prm)
 
 LinearChoice choose_linear_solver(const LinearSettings& settings, const LinearProblem& problem)
 {
-  constexpr unsigned long long direct_limit = 400000; // doc/scaling.md
+  constexpr unsigned long long direct_limit = 200000; // doc/scaling.md
   const std::string count = std::to_string(problem.unknowns) + " unknowns";
   const bool block_works = problem.pressures_can_be_kept;
   if (settings.solver == "block" && !block_works)
     throw InputError(
-        "section Linear solver, entry 'Solver': 'block' needs element pressures and no "
-        "temperature solved for with them; set Discretisation/Formulation = mean "
-        "dilatation and a uniform or staggered temperature, or Solver = direct");
+        "section Linear solver, entry 'Solver': 'block' needs element pressures; set "
+        "Discretisation/Formulation = mean dilatation, or Solver = direct");
   if (settings.solver == "block" && problem.needs_inertia)
     throw InputError("section Linear solver, entry 'Solver': 'block' does not count unstable "
                      "directions, which Stepping/Continuation = automatic follows; choose direct, "
@@ -58,7 +57,7 @@ LinearChoice choose_linear_solver(const LinearSettings& settings, const LinearPr
   if (problem.flatness > LinearProblem::flat)
     return {"direct", "a body of flat cells has small factors"};
   if (!block_works)
-    return {"direct", "block needs element pressures and no temperature solved for with them"};
+    return {"direct", "block needs element pressures"};
   if (problem.needs_inertia)
     return {"direct", "a path is followed by its count of unstable directions"};
   return {"block", count + " in three dimensions are more than " + std::to_string(direct_limit)};

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <thelma/assembly/tangent_matrix.h>
 #include <thelma/elements/formulation.h>
+#include <thelma/fields/boundary_conditions.h>
 #include <thelma/fields/state.h>
 #include <thelma/solvers/laplacian.h>
 
@@ -70,7 +70,6 @@ private:
   void combine(const std::vector<State::Accepted>& path, const std::vector<double>& even,
                const std::vector<double>& odd);
   void make_laplacian();
-  void forget_laplacian();
   void follow_rotation(const std::vector<State::Accepted>& path,
                        const std::vector<double>& weights);
   void follow_cells(const std::vector<State::Accepted>& path, const std::vector<double>& weights);
@@ -83,8 +82,7 @@ private:
   const Formulation<dim>* formulation = nullptr;
   std::optional<Integration<dim>> full, reduced;
   bool is_large = false;
-  std::unique_ptr<TangentMatrix<dim>> matrix; ///< of the Laplacian, as long as it is needed
-  std::unique_ptr<Laplacian> laplacian;       ///< of each displacement component; null until needed
+  std::unique_ptr<Laplacian> laplacian; ///< of each displacement component; null until needed
   BlockVector moments, guess;
   unsigned int order = highest_order;
 };

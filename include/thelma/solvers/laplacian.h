@@ -1,5 +1,6 @@
 #pragma once
 
+#include <thelma/solvers/block_matrix.h>
 #include <thelma/solvers/multigrid.h>
 #include <thelma/solvers/mumps.h>
 
@@ -11,23 +12,24 @@
 namespace thelma
 {
 
-/// Solves again and again with a positive matrix in whose first block components follow one another
-/// and in whose others nothing stands: by factors or, in bodies whose factors are too large, by
-/// conjugate gradients with multigrid to 1e-6.
+/// Solves again and again with a positive matrix whose first block couples no components and in
+/// whose others nothing stands: by factors or, in bodies whose factors are too large, by conjugate
+/// gradients with multigrid to 1e-6.
 class Laplacian
 {
 public:
   using Matrix = dealii::TrilinosWrappers::BlockSparseMatrix;
   using BlockVector = dealii::LinearAlgebra::distributed::BlockVector<double>;
 
-  /// @p matrix must live on if the solver @p iterates.
-  Laplacian(const Matrix& matrix, unsigned int n_components, bool iterates);
+  Laplacian(const Matrix& matrix, bool iterates);
 
-  /// Replace the owned entries of the first block by the solution with them as right-hand side.
+  /// Replace the owned entries of the first block by the solution with them as right-hand side, or
+  /// by zero where there is no room for factors: it serves a guess.
   void solve(BlockVector& vector);
 
 private:
-  const Matrix* matrix = nullptr; ///< if it iterates
+  bool works = true;
+  BlockMatrix<double> block; ///< if it iterates
   Multigrid multigrid;
   std::unique_ptr<Mumps> factors; ///< or else
 };

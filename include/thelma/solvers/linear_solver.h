@@ -47,7 +47,16 @@ public:
   virtual Vector inverse_scales() const = 0;
 };
 
-/// Operators that stand for the diagonal blocks of a tangent wherever only their spectrum matters.
+/// An operator that stands for a diagonal block of a tangent wherever only the spectrum matters, and
+/// the same on a coarser grid, where there is one.
+struct Surrogate {
+  using Matrix = dealii::TrilinosWrappers::SparseMatrix;
+  const Matrix* matrix = nullptr; ///< positive; null for a block that is best taken as it is
+  const Matrix *coarser = nullptr, *prolongation = nullptr;
+  double sign = 1.; ///< of the block itself
+};
+
+/// Those of all blocks.
 class Surrogates
 {
 public:
@@ -56,10 +65,10 @@ public:
   /// Build those of the present state.
   virtual void update() = 0;
 
-  /// The positive operator of @p block; null for one that is best taken from the tangent.
-  virtual const dealii::TrilinosWrappers::SparseMatrix* matrix(unsigned int block) const = 0;
+  virtual Surrogate surrogate(unsigned int block) const = 0;
 
-  /// What displaces no cell relative to itself, one vector of this rank's entries each.
+  /// What displaces no cell relative to itself on the coarsest grid, one vector of this rank's
+  /// entries each.
   virtual const std::vector<std::vector<double>>& rigid_motions() const = 0;
 
   /// Components of a node, which follow one another.
@@ -72,6 +81,7 @@ struct Tangent {
   const CellPressures* pressures = nullptr; ///< null: condensed
   Surrogates* surrogates = nullptr;         ///< for solvers that keep pressures
   std::vector<bool> solved = {};            ///< blocks that are no identity
+  unsigned int n_symmetric = 0; ///< the first so many blocks, and those between them, are symmetric
 };
 
 /// What a .prm says of all linear solvers.

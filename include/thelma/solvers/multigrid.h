@@ -1,8 +1,11 @@
 #pragma once
 
+#include <thelma/solvers/block_matrix.h>
 #include <thelma/solvers/linear_solver.h>
+#include <thelma/solvers/mumps.h>
 
-#include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/precondition.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <memory>
 #include <vector>
@@ -10,23 +13,41 @@
 namespace thelma
 {
 
-/// One algebraic multigrid cycle (ML, smoothed aggregation) as an approximate inverse.
+/// One cycle of algebraic multigrid as an approximate inverse. ML aggregates and makes the coarser
+/// matrices; the cycle runs in single precision, since the bytes it reads are what it costs.
 class Multigrid
 {
 public:
-  using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+  using Vector = dealii::LinearAlgebra::distributed::Vector<float>;
   using Matrix = dealii::TrilinosWrappers::SparseMatrix;
 
-  /// @p n_components unknowns of a node follow one another; @p null_space holds what the matrix
-  /// hardly sees, constants if it is empty.
-  void setup(const Matrix& matrix, unsigned int n_components,
-             const std::vector<std::vector<double>>& null_space);
+  /// @p n_components unknowns of a node follow one another; @p null_space holds what the coarser
+  /// of the given matrices hardly sees, constants if it is empty.
+  LinearReport setup(const Surrogate& given, unsigned int n_components,
+                     const std::vector<std::vector<double>>& null_space);
 
-  void vmult(Vector& x, const Vector& b) const { cycle->vmult(x, b); }
+  void vmult(Vector& x, const Vector& b) const { cycle(0, x, b); }
+  void vmult(dealii::LinearAlgebra::distributed::Vector<double>& x,
+             const dealii::LinearAlgebra::distributed::Vector<double>& b) const;
 
 private:
-  std::vector<double> modes; ///< ML reads them later
-  std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> cycle;
+  using Smoother = dealii::PreconditionChebyshev<BlockMatrix<float>, Vector, BlockMatrix<float>>;
+
+  /// What is done to unknowns before and after coarser ones.
+  struct Level {
+    BlockMatrix<float> matrix, prolongation;
+    Smoother smoother;
+    mutable Vector residual, coarse_residual, coarse_correction;
+  };
+
+  void cycle(std::size_t level, Vector& x, const Vector& b) const;
+  LinearReport add_aggregates(const Matrix& matrix, unsigned int n_components,
+                              const std::vector<std::vector<double>>& null_space);
+  void add_level(const Epetra_CrsMatrix& matrix, unsigned int group,
+                 BlockMatrix<float>&& prolongation);
+
+  std::vector<std::unique_ptr<Level>> levels; ///< from fine to coarse
+  std::unique_ptr<Mumps> coarsest;
 };
 
 } // namespace thelma
