@@ -10,9 +10,9 @@ from math import log2
 LATENCY, BANDWIDTH = 2e-6, 1e10  # s and bytes/s of a usual network of a cluster
 COARSEST = 1e-3  # s: 2000 unknowns, collected, solved with factors, sent back
 NEIGHBOURS = 8
-LEVELS, DEGREE = 4, 3  # of multigrid and its smoother
-# A level smooths before and after and takes a residual; then down and up.
-EXCHANGES_PER_CYCLE = LEVELS * (2 * DEGREE + 1 + 2)
+LEVELS, DEGREE = 4, 2  # of multigrid and its smoother
+# A level smooths from zero, takes a residual, goes down and up and smooths again.
+EXCHANGES_PER_CYCLE = LEVELS * (DEGREE - 1 + 1 + 2 + DEGREE)
 # Four blocks of the tangent, three sums over the cells with pressures, two cycles.
 EXCHANGES = 4 + 3 + 2 * EXCHANGES_PER_CYCLE
 UNKNOWNS_PER_NODE = 3.5  # potential in half of the body
