@@ -2,7 +2,7 @@
 
 Work shrinks with the ranks. What does not: halos, which neighbours exchange before every product
 with a matrix, reductions, which all ranks take part in, and multigrid's coarsest level, which is
-solved on one rank. Work and iterations are measured (doc/scaling.csv); sizes of halos follow from
+collected, solved with factors and sent back. Work and iterations are measured (doc/scaling.csv); sizes of halos follow from
 the geometry of the partition and come near the measured ones; the network is assumed."""
 
 from math import log2

@@ -180,7 +180,7 @@ template <int dim>
 void LowOrderGrid<dim>::add(const Cell<dim>& cell, const Positions& x, const double mu,
                             const double eps)
 {
-  constexpr unsigned int n = n_corners * dim;
+  constexpr std::size_t n = n_corners * dim;
   for (const Corners& part : parts) {
     std::array<double, n * n> shear{};
     std::array<double, n_corners * n_corners> electric{};

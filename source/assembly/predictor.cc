@@ -78,6 +78,7 @@ void Predictor<dim>::predict(const double load, const LoadSymmetry symmetry)
   const bool mirrored = symmetry == LoadSymmetry::voltage;
   const std::vector<State::Accepted> path = recent();
   std::vector<double> loads;
+  loads.reserve(path.size());
   for (const State::Accepted& accepted : path)
     loads.push_back(accepted.load);
   const std::vector<double> even = weights(loads, load, mirrored ? Parity::even : Parity::none);

@@ -90,11 +90,12 @@ void multiply(const Blocks& blocks, const Number factor, const Number* x, Number
 template <unsigned int n, unsigned int m, typename Blocks, typename Number>
 void multiply_transposed(const Blocks& blocks, const Number factor, const Number* x, Number* y)
 {
+  constexpr std::size_t size = std::size_t(n) * m;
   for (std::size_t row = 0; row + 1 < blocks.starts.size(); ++row)
     for (std::size_t k = blocks.starts[row]; k < blocks.starts[row + 1]; ++k)
       for (unsigned int j = 0; j < m; ++j)
         for (unsigned int i = 0; i < n; ++i)
-          y[blocks.places[k] + j] += factor * blocks.values[k * n * m + j * n + i] * x[row * n + i];
+          y[blocks.places[k] + j] += factor * blocks.values[k * size + j * n + i] * x[row * n + i];
 }
 
 } // namespace
@@ -130,6 +131,7 @@ template <typename Number>
 void BlockMatrix<Number>::copy(const Epetra_CrsMatrix& matrix, const bool symmetric)
 {
   std::vector<unsigned int> local; // place of Trilinos' local columns in a vector
+  local.reserve(matrix.ColMap().NumMyElements());
   for (int j = 0; j < matrix.ColMap().NumMyElements(); ++j)
     local.push_back(columns->global_to_local(matrix.ColMap().GID(j)));
   const std::size_t n_own = columns->locally_owned_size();
@@ -157,7 +159,7 @@ void BlockMatrix<Number>::copy(const Epetra_CrsMatrix& matrix, const bool symmet
         if (found[column].row != row) {
           found[column] = {row, blocks.places.size()};
           blocks.places.push_back(column * m);
-          blocks.values.resize(blocks.values.size() + n * m);
+          blocks.values.resize(blocks.values.size() + std::size_t(n) * m);
         }
         blocks.values[(found[column].block * m + place % m) * n + i] =
             static_cast<Number>(entries[k]);

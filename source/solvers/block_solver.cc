@@ -87,7 +87,7 @@ public:
         Surrogate surrogate = tangent.surrogates->surrogate(b);
         if (!surrogate.matrix)
           surrogate.matrix = &tangent.matrix.block(b, b);
-        const LinearReport report =
+        LinearReport report =
             is_flat ? factorise(b, surrogate) : set_up_cycle(b, surrogate, *tangent.surrogates);
         if (!report.solved)
           return report;

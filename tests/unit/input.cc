@@ -197,7 +197,8 @@ TEST(Input, SurvivesDamage)
   std::mt19937 random(1);
   const std::vector<std::string> texts = scenes();
   const auto below = [&](const std::size_t n) { return random() % n; };
-  const std::string bytes("\0\t\n\\#=:;,/'\"%${}()[]<>-+.e0129azAZ\xff\xc2", 44);
+  constexpr char damage[] = "\0\t\n\\#=:;,/'\"%${}()[]<>-+.e0129azAZ\xff\xc2";
+  const std::string bytes(damage, sizeof(damage) - 1);
   for (unsigned int n = 0; n < 700; ++n) {
     std::string text = texts[below(texts.size())];
     for (unsigned int k = 0; k < 1 + n % 9; ++k) {

@@ -124,7 +124,7 @@ void apply_moduli(const Gradients<Fields::dim>& gradients, const PointSystem<Fie
         sum += M[J][L] * g[L];
       if constexpr (Fields::has_temperature)
         sum += m[J] * *reinterpret_cast<const Register*>(gradients.N + b);
-      *reinterpret_cast<Register*>(T + J * stride + b) = sum;
+      *reinterpret_cast<Register*>(T + std::size_t(J) * stride + b) = sum;
     }
   }
 }
