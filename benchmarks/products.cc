@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <type_traits>
 
 namespace
 {
@@ -67,10 +68,10 @@ int main(int argc, char** argv)
   const auto &uu = tangent.block(0, 0), &u_phi = tangent.block(0, 1),
              &phi_phi = tangent.block(1, 1);
   const auto rectangular = [](const auto number, const auto& block) {
-    return product(BlockMatrix<decltype(number)>(block.trilinos_matrix(), 3, 1));
+    return product(BlockMatrix<std::decay_t<decltype(number)>>(block.trilinos_matrix(), 3, 1));
   };
   const auto symmetric = [](const auto number, const auto& block, const unsigned int group) {
-    return product(BlockMatrix<decltype(number)>(block.trilinos_matrix(), group));
+    return product(BlockMatrix<std::decay_t<decltype(number)>>(block.trilinos_matrix(), group));
   };
   std::printf("nanoseconds per entry, of a symmetric matrix of all its entries\n");
   print("u, u: symmetric, 3 x 3", uu, symmetric(0., uu, 3), symmetric(0.F, uu, 3));

@@ -61,7 +61,7 @@ template <int dim>
 typename PathFollowing<dim>::Solution
 PathFollowing<dim>::locate_bifurcation(const double low, const double high, const long long before)
 {
-  const Solution found = locate(low, high, 1e-8, [&](const PathState& found) {
+  Solution found = locate(low, high, 1e-8, [&](const PathState& found) {
     const double size = std::abs(system.critical_mode(mode));
     return found.unstable_directions == before ? size : -size;
   });
@@ -135,7 +135,7 @@ template <int dim>
 typename PathFollowing<dim>::Solution PathFollowing<dim>::switch_branch(double step)
 {
   const double load = state.accepted_load(), sign = branch == "plus" ? 1. : -1.;
-  for (; step > 1e-6; step /= 2.) {
+  while (step > 1e-6) {
     state.x.add(sign * step / metric.length(mode.block(0), 0.), mode);
     state.x.update_ghost_values();
     system.set_load(load);
@@ -145,6 +145,7 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::switch_branch(double s
     }
     ++n_failures;
     state.restore();
+    step /= 2.;
   }
   return {};
 }

@@ -125,7 +125,7 @@ CommandLine CommandLine::parse(const std::vector<std::string>& given)
       line.action = Action::version;
     else if (word == "--help" || word == "-h")
       line.action = Action::help;
-    else if (word.rfind("-", 0) == 0)
+    else if (word.rfind('-', 0) == 0)
       throw InputError("command line: unknown option '" + word + "'" +
                        known_ones(word, {"--set", "--sweep", "--ranks-per-case", "--output",
                                          "--estimate", "--restart", "--check", "--list",

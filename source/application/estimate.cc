@@ -78,7 +78,7 @@ Outcome run_with_estimate(const MPI_Comm comm, const CommandLine& line, std::ost
     prm.add_parameter("Degree", degree);
   });
   const bool was_finished = first.earlier_end().has_value();
-  const Outcome given = first.run(comm, console);
+  Outcome given = first.run(comm, console);
   if (given.code == ExitCode::not_converged || given.code == ExitCode::stopped)
     return given;
 
@@ -88,7 +88,7 @@ Outcome run_with_estimate(const MPI_Comm comm, const CommandLine& line, std::ost
   second.arguments = arguments_for(second.file, second.overrides);
   second.restarts = was_finished; // whatever else is there belongs to another run
   console << "\n";
-  const Outcome check = second.run(comm, console);
+  Outcome check = second.run(comm, console);
   if (check.code == ExitCode::stopped)
     return check;
   const double factor = 1. / (1. - std::pow(0.5, degree));

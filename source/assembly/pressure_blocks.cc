@@ -28,8 +28,8 @@ PressureBlocks<dim>::PressureBlocks(const FieldLayout<dim>& layout,
   for (const auto dof : layout.owned()[0])
     if (conditions.constraints().is_constrained(dof))
       given.push_back(scratch.get_partitioner()->global_to_local(dof));
-  compliance.resize(own * n);
-  inverse_schur.resize(own * n);
+  compliance.resize(std::size_t(own) * n);
+  inverse_schur.resize(std::size_t(own) * n);
 }
 
 template <int dim>
@@ -66,7 +66,7 @@ void PressureBlocks<dim>::add_forces(const Vector& q, Vector& forces) const
     for (int c = 0; c < dim; ++c)
       for (unsigned int i = 0; i < n; ++i) {
         const double value = q.local_element(index * n + i);
-        const double* row = part.gradient + (c * n + i) * part.stride;
+        const double* row = part.gradient + (std::size_t(c) * n + i) * part.stride;
         for (unsigned int a = 0; a < part.n_nodes; ++a)
           scratch.local_element(cell.local[a * cell.n_components + c]) += value * row[a];
       }
@@ -94,7 +94,7 @@ void PressureBlocks<dim>::apply(const Vector& u, const Vector& q, Vector& residu
       for (unsigned int a = 0; a < part.n_nodes; ++a)
         values[a] = scratch.local_element(cell.local[a * cell.n_components + c]);
       for (unsigned int i = 0; i < n; ++i) {
-        const double* row = part.gradient + (c * n + i) * part.stride;
+        const double* row = part.gradient + (std::size_t(c) * n + i) * part.stride;
         double sum = 0.;
         for (unsigned int a = 0; a < part.n_nodes; ++a)
           sum += row[a] * values[a];

@@ -237,7 +237,7 @@ LinearReport System<dim>::solve_tangent(BlockVector& vector, const std::vector<d
     lacking[k] -= charges[k];
   conditions.constraints().set_zero(vector);
   clear_given(vector);
-  const LinearReport report = solver->solve(vector);
+  LinearReport report = solver->solve(vector);
   conditions.constraints().set_zero(vector);
   floating.correct(lacking, vector);
   return report;

@@ -200,7 +200,7 @@ std::string located(const std::string& file, const std::string& folder)
   return !std::filesystem::exists(file) && std::filesystem::exists(there) ? there.string() : file;
 }
 
-Section::Section(dealii::ParameterHandler& prm, std::vector<std::string> path)
+Section::Section(dealii::ParameterHandler& prm, const std::vector<std::string>& path)
     : prm(prm), depth(path.size())
 {
   for (const std::string& section : path)

@@ -10,7 +10,7 @@ template <int dim>
 Basis<dim>::Basis(const dealii::FiniteElement<dim>& scalar, const dealii::Quadrature<dim>& rule,
                   const unsigned int n_enhanced)
     : n_points(rule.size()), n_nodes(scalar.dofs_per_cell + n_enhanced), stride(padded(n_nodes)),
-      N(n_points * stride, 0.), dN(n_points * dim * stride, 0.)
+      N(std::size_t(n_points) * stride, 0.), dN(std::size_t(n_points) * dim * stride, 0.)
 {
   AssertThrow(n_nodes <= max_nodes && n_points <= max_points, dealii::ExcInternalError());
   for (unsigned int q = 0; q < n_points; ++q)

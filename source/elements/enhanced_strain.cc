@@ -64,7 +64,7 @@ public:
   {
     Base::tangent(Enhanced(view).view, result);
     const int n_c = view.cell.n_components;
-    const std::size_t n_outer = view.cell.dofs.size(), n = n_nodes * n_c;
+    const std::size_t n_outer = view.cell.dofs.size(), n = std::size_t(n_nodes) * n_c;
     for (std::size_t k = n_outer; k < n; ++k) {
       const bool heat = view.has_temperature && static_cast<int>(k % n_c) == n_c - 1;
       if (heat ? !view.solves_temperature() : !view.solves_deformation())

@@ -215,7 +215,7 @@ void PressureDilatation<dim>::add_condensed(const CellView<dim>& view,
   const ModeMatrix& M = mass_inverse[view.index];
   result.elimination.assign(n_elimination(), 0.);
   double* S = result.elimination.data();
-  double* B = S + n_modes * n_modes;
+  double* B = S + std::size_t(n_modes) * n_modes;
   for (unsigned int i = 0; i < n_modes; ++i)
     for (unsigned int k = 0; k < n_modes; ++k)
       for (unsigned int l = 0; l < n_modes; ++l)
@@ -233,7 +233,7 @@ void PressureDilatation<dim>::add_condensed(const CellView<dim>& view,
     return;
   ModeMatrix stiffness{};
   for (unsigned int i = 0; i < n_modes; ++i)
-    std::copy_n(S + i * n_modes, n_modes, stiffness[i].begin());
+    std::copy_n(S + std::size_t(i) * n_modes, n_modes, stiffness[i].begin());
   if (!view.keeps_pressures)
     for (int d = 0; d < dim; ++d)
       add_product(B, 0, view.solves_temperature() ? dim : d + 1, stiffness, B + d * block_size(), d,

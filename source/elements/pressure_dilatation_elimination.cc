@@ -24,7 +24,7 @@ void PressureDilatation<dim>::set_constraint(const CellPoints<dim>& points, cons
         sums[i] += modes[q][i] * change;
     }
     for (unsigned int i = 0; i < n_modes; ++i)
-      *reinterpret_cast<Register*>(rows + i * stride + a) = sums[i];
+      *reinterpret_cast<Register*>(rows + std::size_t(i) * stride + a) = sums[i];
   }
 }
 
@@ -56,7 +56,7 @@ void PressureDilatation<dim>::add_product(const double* A, const int first, cons
   std::array<const double*, 8> rows;
   for (int c = first; c < last; ++c, A += block_size()) {
     for (unsigned int i = 0; i < n_modes; ++i)
-      rows[i] = A + i * stride;
+      rows[i] = A + std::size_t(i) * stride;
     result.blocks.add_product(c, d, n_modes, rows.data(), answer.data());
   }
 }
@@ -67,7 +67,7 @@ template <int dim>
 void PressureDilatation<dim>::eliminate(const Elimination<dim>& cell, double* residual) const
 {
   const ModeMatrix& M = mass_inverse[cell.index];
-  const double *S = cell.kept, *B = S + n_modes * n_modes, *R_p = cell.residual,
+  const double *S = cell.kept, *B = S + std::size_t(n_modes) * n_modes, *R_p = cell.residual,
                *R_t = R_p + n_modes;
   const unsigned int stride = rule().basis().stride, n_nodes = rule().basis().n_nodes;
   for (unsigned int i = 0; i < n_modes; ++i) {
@@ -93,7 +93,7 @@ void PressureDilatation<dim>::recover(const Elimination<dim>& cell, const double
                                       double* correction) const
 {
   const ModeMatrix& M = mass_inverse[cell.index];
-  const double *S = cell.kept, *B = S + n_modes * n_modes;
+  const double *S = cell.kept, *B = S + std::size_t(n_modes) * n_modes;
   const unsigned int stride = rule().basis().stride, n_nodes = rule().basis().n_nodes;
   const int n_c = cell.n_components;
   Modes R_p{}, R_t{};
@@ -124,7 +124,7 @@ PressureBlock PressureDilatation<dim>::pressures(const Elimination<dim>& cell) c
           basis.stride,
           basis.n_nodes,
           cell.kept,
-          cell.kept + n_modes * n_modes,
+          cell.kept + std::size_t(n_modes) * n_modes,
           &mass_inverse[cell.index]};
 }
 

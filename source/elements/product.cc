@@ -22,13 +22,13 @@ __attribute__((always_inline)) inline void store(const Register& sum, double* C,
 template <int rows, int wide, int narrow>
 __attribute__((always_inline)) inline void multiply(const Product& p)
 {
-  constexpr int length = 8 * wide + 4 * narrow;
+  constexpr std::ptrdiff_t length = 8 * wide + 4 * narrow;
   for (int a = 0; a < length; a += rows) {
     Wide w[rows][wide + 1] = {};
     Narrow s[rows][narrow + 1] = {};
     for (unsigned int k = 0; k < p.n_k; ++k) {
       const double* A = p.A[k] + a;
-      const Wide* b = reinterpret_cast<const Wide*>(p.B + k * length);
+      const Wide* b = reinterpret_cast<const Wide*>(p.B + std::size_t(k) * length);
       const Narrow* rest = reinterpret_cast<const Narrow*>(b + wide);
       for (int r = 0; r < rows; ++r) {
         const double x = A[r];
@@ -43,9 +43,9 @@ __attribute__((always_inline)) inline void multiply(const Product& p)
     }
     for (int r = 0; r < rows; ++r) {
       double* C = p.C + (a + r) * length;
-      for (int v = 0; v < wide; ++v)
+      for (std::ptrdiff_t v = 0; v < wide; ++v)
         store(w[r][v], C + 8 * v, p.add);
-      for (int v = 0; v < narrow; ++v)
+      for (std::ptrdiff_t v = 0; v < narrow; ++v)
         store(s[r][v], C + 8 * wide + 4 * v, p.add);
     }
   }
@@ -54,7 +54,7 @@ __attribute__((always_inline)) inline void multiply(const Product& p)
 void plain(const Product& p)
 {
   for (unsigned int a = 0; a < p.stride; ++a) {
-    double* C = p.C + a * p.stride;
+    double* C = p.C + std::size_t(a) * p.stride;
     if (!p.add)
       std::fill_n(C, p.stride, 0.);
     for (unsigned int k = 0; k < p.n_k; ++k)

@@ -32,7 +32,7 @@ public:
 
   std::vector<std::string> get_names() const override
   {
-    std::vector<std::string> names(dim * dim, "P");
+    std::vector<std::string> names(static_cast<std::size_t>(dim * dim), "P");
     names.insert(names.end(), dim, "D");
     names.insert(names.end(), dim, "E");
     names.emplace_back("J");
@@ -43,8 +43,8 @@ public:
   get_data_component_interpretation() const override
   {
     std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation> kinds(
-        dim * dim, component_is_part_of_tensor);
-    kinds.insert(kinds.end(), 2 * dim, component_is_part_of_vector);
+        static_cast<std::size_t>(dim * dim), component_is_part_of_tensor);
+    kinds.insert(kinds.end(), std::size_t(2) * dim, component_is_part_of_vector);
     kinds.push_back(component_is_scalar);
     return kinds;
   }

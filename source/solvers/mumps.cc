@@ -4,6 +4,7 @@
 
 #include <Epetra_CrsMatrix.h>
 
+#include <cstdint>
 #include <numeric>
 
 namespace thelma
@@ -34,8 +35,8 @@ void for_each_entry(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix, c
 {
   for (unsigned int i = 0; i < matrix.n_block_rows(); ++i)
     for (unsigned int j = 0; j < matrix.n_block_cols(); ++j) {
-      const int row = matrix.get_row_indices().block_start(i),
-                column = matrix.get_column_indices().block_start(j);
+      const int row = static_cast<int>(matrix.get_row_indices().block_start(i)),
+                column = static_cast<int>(matrix.get_column_indices().block_start(j));
       for_each_entry(matrix.block(i, j), [&](const int r, const int c, const double& value) {
         visit(row + r, column + c, value);
       });
@@ -90,7 +91,7 @@ void Mumps::collect_pattern(const Matrix& matrix)
   });
   values.resize(rows.size());
   mumps.n = matrix.m();
-  mumps.nnz_loc = mumps.nnz = rows.size();
+  mumps.nnz_loc = mumps.nnz = static_cast<std::int64_t>(rows.size());
   mumps.irn_loc = mumps.irn = rows.data();
   mumps.jcn_loc = mumps.jcn = columns.data();
   mumps.a_loc = mumps.a = values.data();
@@ -134,12 +135,12 @@ LinearReport Mumps::outcome() const
 void Mumps::collect_layout(const dealii::IndexSet& owned)
 {
   for (const auto index : owned)
-    own_indices.push_back(index);
+    own_indices.push_back(static_cast<int>(index));
   layout_known = true; // also on a rank that owns nothing
   const auto all = dealii::Utilities::MPI::gather(comm, own_indices);
   for (const auto& indices : all) {
-    offsets.push_back(gathered_indices.size());
-    counts.push_back(indices.size());
+    offsets.push_back(static_cast<int>(gathered_indices.size()));
+    counts.push_back(static_cast<int>(indices.size()));
     gathered_indices.insert(gathered_indices.end(), indices.begin(), indices.end());
   }
 }
@@ -154,8 +155,8 @@ void Mumps::solve(Vector& vector)
     own[k] = vector(own_indices[k]);
 
   // The right-hand side and the solution travel through rank 0.
-  MPI_Gatherv(own.data(), own.size(), MPI_DOUBLE, gathered.data(), counts.data(), offsets.data(),
-              MPI_DOUBLE, 0, comm);
+  MPI_Gatherv(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, gathered.data(), counts.data(),
+              offsets.data(), MPI_DOUBLE, 0, comm);
   std::vector<double> dense(gathered.size());
   for (std::size_t k = 0; k < gathered.size(); ++k)
     dense[gathered_indices[k]] = gathered[k];
@@ -165,8 +166,8 @@ void Mumps::solve(Vector& vector)
   run(solve_job);
   for (std::size_t k = 0; k < gathered.size(); ++k)
     gathered[k] = dense[gathered_indices[k]];
-  MPI_Scatterv(gathered.data(), counts.data(), offsets.data(), MPI_DOUBLE, own.data(), own.size(),
-               MPI_DOUBLE, 0, comm);
+  MPI_Scatterv(gathered.data(), counts.data(), offsets.data(), MPI_DOUBLE, own.data(),
+               static_cast<int>(own.size()), MPI_DOUBLE, 0, comm);
 
   for (std::size_t k = 0; k < own.size(); ++k)
     vector(own_indices[k]) = own[k];

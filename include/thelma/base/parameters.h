@@ -67,7 +67,7 @@ std::string located(const std::string& file, const std::string& folder);
 class Section
 {
 public:
-  Section(dealii::ParameterHandler& prm, std::vector<std::string> path);
+  Section(dealii::ParameterHandler& prm, const std::vector<std::string>& path);
   ~Section();
   Section(const Section&) = delete;
   Section& operator=(const Section&) = delete;
