@@ -263,9 +263,11 @@ void LowOrderGrid<dim>::fix_diagonal(Block& block)
       own[1] += 1.;
     }
   dealii::Utilities::MPI::sum(own, layout.communicator(), sum);
+  // Where one cell fills the gap between electrodes, all corners have given potentials.
+  const double diagonal = sum[1] > 0. ? sum[0] / sum[1] : 1.;
   for (const auto row : block.owned)
     if (!(matrix.diag_element(row) > 0.))
-      matrix.set(row, row, sum[0] / sum[1]);
+      matrix.set(row, row, diagonal);
   matrix.compress(dealii::VectorOperation::insert);
 }
 

@@ -41,9 +41,8 @@ LinearChoice choose_linear_solver(const LinearSettings& settings, const LinearPr
   const std::string count = std::to_string(problem.unknowns) + " unknowns";
   const bool block_works = problem.pressures_can_be_kept;
   if (settings.solver == "block" && !block_works)
-    throw InputError(
-        "section Linear solver, entry 'Solver': 'block' needs element pressures; set "
-        "Discretisation/Formulation = mean dilatation, or Solver = direct");
+    throw InputError("section Linear solver, entry 'Solver': 'block' needs element pressures; set "
+                     "Discretisation/Formulation = mean dilatation, or Solver = direct");
   if (settings.solver == "block" && problem.needs_inertia)
     throw InputError("section Linear solver, entry 'Solver': 'block' does not count unstable "
                      "directions, which Stepping/Continuation = automatic follows; choose direct, "

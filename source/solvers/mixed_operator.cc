@@ -29,10 +29,9 @@ void MixedOperator::copy(const unsigned int b, const unsigned int c)
     return;
   const Epetra_CrsMatrix& matrix = block.trilinos_matrix();
   const unsigned int group = tangent.surrogates->components(b);
-  blocks.back() =
-      c == b && is_symmetric(b, b)
-          ? std::make_unique<Matrix>(matrix, group)
-          : std::make_unique<Matrix>(matrix, group, tangent.surrogates->components(c));
+  blocks.back() = c == b && is_symmetric(b, b)
+                      ? std::make_unique<Matrix>(matrix, group)
+                      : std::make_unique<Matrix>(matrix, group, tangent.surrogates->components(c));
 }
 
 MixedOperator::BlockVector MixedOperator::new_vector() const

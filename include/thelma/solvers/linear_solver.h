@@ -47,8 +47,8 @@ public:
   virtual Vector inverse_scales() const = 0;
 };
 
-/// An operator that stands for a diagonal block of a tangent wherever only the spectrum matters, and
-/// the same on a coarser grid, where there is one.
+/// An operator that stands for a diagonal block of a tangent wherever only the spectrum matters,
+/// and the same on a coarser grid, where there is one.
 struct Surrogate {
   using Matrix = dealii::TrilinosWrappers::SparseMatrix;
   const Matrix* matrix = nullptr; ///< positive; null for a block that is best taken as it is
