@@ -3,29 +3,14 @@
 // Run alone on the machine: build/bin/benchmark_assembly
 
 #include "scene.h"
+#include "timing.h"
 
-#include <chrono>
 #include <cstdio>
 
 namespace
 {
 
 using namespace thelma_test;
-
-/// Shortest of some repetitions in microseconds per cell: what is not the code's only adds.
-template <typename Action>
-double microseconds_per_cell(const std::size_t n_cells, const Action& action)
-{
-  constexpr int repetitions = 20;
-  double shortest = 1e300;
-  for (int i = 0; i < repetitions; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    action();
-    const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
-    shortest = std::min(shortest, time.count() / static_cast<double>(n_cells));
-  }
-  return shortest;
-}
 
 template <int dim>
 void measure(const std::string& mesh, const std::string& supports, const std::string& formulation,
@@ -41,8 +26,8 @@ void measure(const std::string& mesh, const std::string& supports, const std::st
                        " set Potential = interface: 0, outer: 1\nend\n");
   add_noise(scene, {1e-3, 0.1}, scene.state.x);
   const std::size_t n = scene.layout.cells().size();
-  const double residual = microseconds_per_cell(n, [&]() { scene.system.residual(); });
-  const double tangent = microseconds_per_cell(n, [&]() { scene.system.assemble_tangent(); });
+  const double residual = 1e6 / n * shortest_seconds([&]() { scene.system.residual(); });
+  const double tangent = 1e6 / n * shortest_seconds([&]() { scene.system.assemble_tangent(); });
   std::printf("%d-D  %-18s Q%d  %5zu cells  residual %7.2f  tangent %7.2f\n", dim,
               formulation.c_str(), degree, n, residual, tangent);
 }

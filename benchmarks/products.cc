@@ -2,10 +2,10 @@
 // BlockMatrix. Run alone on the machine: build/bin/benchmark_products
 
 #include "scene.h"
+#include "timing.h"
 
 #include <thelma/solvers/block_matrix.h>
 
-#include <chrono>
 #include <cstdio>
 #include <type_traits>
 
@@ -15,27 +15,12 @@ namespace
 using namespace thelma_test;
 using thelma::BlockMatrix;
 
-/// Shortest of some repetitions.
-template <typename Action>
-double nanoseconds(const Action& action)
-{
-  constexpr int repetitions = 10;
-  double shortest = 1e300;
-  for (int i = 0; i < repetitions; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    action();
-    const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
-    shortest = std::min(shortest, time.count());
-  }
-  return shortest;
-}
-
 template <typename Number>
 double product(const BlockMatrix<Number>& matrix)
 {
   auto x = matrix.vector_of_columns(), y = matrix.vector_of_rows();
   x = Number(1.);
-  return nanoseconds([&]() { matrix.vmult(y, x); });
+  return 1e9 * shortest_seconds([&]() { matrix.vmult(y, x); });
 }
 
 void print(const char* name, const dealii::TrilinosWrappers::SparseMatrix& block,
@@ -47,7 +32,7 @@ void print(const char* name, const dealii::TrilinosWrappers::SparseMatrix& block
   x = 1.;
   const auto entries = static_cast<double>(block.n_nonzero_elements());
   std::printf("%-28s %9.0f entries  Trilinos %5.2f  double %5.2f  single %5.2f\n", name, entries,
-              nanoseconds([&]() { block.vmult(y, x); }) / entries, doubles / entries,
+              1e9 * shortest_seconds([&]() { block.vmult(y, x); }) / entries, doubles / entries,
               singles / entries);
 }
 

@@ -14,7 +14,7 @@ LEVELS, DEGREE = 4, 2  # of multigrid and its smoother
 # A level smooths from zero, takes a residual, goes down and up and smooths again.
 EXCHANGES_PER_CYCLE = LEVELS * (DEGREE - 1 + 1 + 2 + DEGREE)
 # Four blocks of the tangent, three sums over the cells with pressures, two cycles.
-EXCHANGES = 4 + 3 + 2 * EXCHANGES_PER_CYCLE
+EXCHANGES, OF_SINGLES = 4 + 3, 2 * EXCHANGES_PER_CYCLE
 UNKNOWNS_PER_NODE = 3.5  # potential in half of the body
 
 
@@ -35,9 +35,10 @@ def seconds(unknowns, ranks, work, iterations):
     own = unknowns / ranks
     if ranks == 1:
         return work * own, 0.0, 0.0, 0.0
-    message = NEIGHBOURS * LATENCY + 8 * halo(unknowns, ranks) * own / BANDWIDTH
+    wait, byte = NEIGHBOURS * LATENCY, halo(unknowns, ranks) * own / BANDWIDTH
+    halos = EXCHANGES * (wait + 8 * byte) + OF_SINGLES * (wait + 4 * byte)
     reductions = (iterations / 2 + 1) * log2(ranks) * LATENCY
-    return work * own, EXCHANGES * message, reductions, 2 * COARSEST
+    return work * own, halos, reductions, 2 * COARSEST
 
 
 def table(unknowns, work, iterations):

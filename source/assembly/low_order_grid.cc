@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace thelma
 {
@@ -18,15 +17,15 @@ template <int dim>
 LowOrderGrid<dim>::LowOrderGrid(const FieldLayout<dim>& layout,
                                 const BoundaryConditions<dim>& conditions,
                                 const unsigned int spacing)
-    : layout(layout), conditions(conditions), spacing(spacing)
+    : layout(layout)
 {
-  find_parts();
+  find_parts(spacing);
   blocks.resize(layout.has(Field::potential) ? 2 : 1);
   for (unsigned int b = 0; b < blocks.size(); ++b) {
     blocks[b].first_component = b * dim;
     blocks[b].n_components = b == 0 ? dim : 1;
     const BlockVector vector = layout.new_vector();
-    number_all(blocks[b], *vector.block(b).get_partitioner());
+    number_all(blocks[b], *vector.block(b).get_partitioner(), conditions);
     if (spacing > 1)
       number_some(blocks[b], vector.block(b));
     make_pattern(blocks[b]);
@@ -35,7 +34,7 @@ LowOrderGrid<dim>::LowOrderGrid(const FieldLayout<dim>& layout,
 
 /// The parts of a cell between its nodes, and linear functions on one.
 template <int dim>
-void LowOrderGrid<dim>::find_parts()
+void LowOrderGrid<dim>::find_parts(const unsigned int spacing)
 {
   const unsigned int p = layout.degree(), n = p / spacing;
   const std::vector<unsigned int> numbering =
@@ -62,7 +61,8 @@ void LowOrderGrid<dim>::find_parts()
 
 /// As the tangent does.
 template <int dim>
-void LowOrderGrid<dim>::number_all(Block& block, const Partitioner& places)
+void LowOrderGrid<dim>::number_all(Block& block, const Partitioner& places,
+                                   const BoundaryConditions<dim>& conditions)
 {
   const dealii::types::global_dof_index start =
       block.first_component == 0 ? 0 : layout.owned()[0].size();
@@ -87,20 +87,15 @@ void LowOrderGrid<dim>::number_some(Block& block, Vector numbers)
           numbers.local_element(i) = 0.;
   numbers.zero_out_ghost_values();
   const dealii::types::global_dof_index n_own = std::count(numbers.begin(), numbers.end(), 0.);
-  const auto counts = dealii::Utilities::MPI::all_gather(layout.communicator(), n_own);
-  const auto rank = dealii::Utilities::MPI::this_mpi_process(layout.communicator());
-  const auto sum = [&](const auto end) {
-    return std::accumulate(counts.begin(), end, dealii::types::global_dof_index(0));
-  };
-  const auto begin = sum(counts.begin() + rank);
-  double next = begin;
+  block.owned = dealii::Utilities::MPI::create_ascending_partitioning(
+      layout.communicator(),
+      n_own)[dealii::Utilities::MPI::this_mpi_process(layout.communicator())];
+  auto next = block.owned.begin();
   for (double& number : numbers)
     if (number == 0.)
-      number = next++;
+      number = *next++;
   numbers.update_ghost_values();
 
-  block.owned = dealii::IndexSet(sum(counts.end()));
-  block.owned.add_range(begin, begin + n_own);
   std::vector<dealii::types::global_dof_index> of_others;
   for (std::size_t i = 0; i < block.numbers.size(); ++i) {
     block.numbers[i] = static_cast<long long>(numbers.local_element(i));

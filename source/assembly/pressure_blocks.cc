@@ -3,7 +3,6 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/full_matrix.h>
 
-#include <numeric>
 #include <utility>
 
 namespace thelma
@@ -18,13 +17,8 @@ PressureBlocks<dim>::PressureBlocks(const FieldLayout<dim>& layout,
       n(formulation.n_kept_pressures()), scratch(layout.new_vector().block(0))
 {
   const dealii::types::global_dof_index own = n * layout.cells().size();
-  const auto counts = dealii::Utilities::MPI::all_gather(layout.communicator(), own);
-  const auto rank = dealii::Utilities::MPI::this_mpi_process(layout.communicator());
-  const auto begin =
-      std::accumulate(counts.begin(), counts.begin() + rank, dealii::types::global_dof_index(0));
-  owned = dealii::IndexSet(
-      std::accumulate(counts.begin(), counts.end(), dealii::types::global_dof_index(0)));
-  owned.add_range(begin, begin + own);
+  owned = dealii::Utilities::MPI::create_ascending_partitioning(
+      layout.communicator(), own)[dealii::Utilities::MPI::this_mpi_process(layout.communicator())];
   for (const auto dof : layout.owned()[0])
     if (conditions.constraints().is_constrained(dof))
       given.push_back(scratch.get_partitioner()->global_to_local(dof));

@@ -66,10 +66,12 @@ private:
     SparseMatrix matrix;
   };
 
-  void find_parts();
   using Vector = BlockVector::BlockType;
   using Partitioner = dealii::Utilities::MPI::Partitioner;
-  void number_all(Block& block, const Partitioner& places);
+
+  void find_parts(unsigned int spacing);
+  void number_all(Block& block, const Partitioner& places,
+                  const BoundaryConditions<dim>& conditions);
   void number_some(Block& block, Vector numbers);
   void make_pattern(Block& block);
   std::vector<unsigned int> unknowns(const Block& block, const Cell<dim>& cell,
@@ -81,8 +83,6 @@ private:
   void fix_diagonal(Block& block);
 
   const FieldLayout<dim>& layout;
-  const BoundaryConditions<dim>& conditions;
-  unsigned int spacing;
   std::vector<Corners> parts;
   std::array<std::array<dealii::Tensor<1, dim>, n_corners>, n_corners> reference_gradients;
   std::vector<Block> blocks; ///< of displacement and, where there is one, potential
