@@ -1,11 +1,10 @@
 #include <thelma/assembly/low_order_grid.h>
+#include <thelma/assembly/stored_row.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
-
-#include <Epetra_CrsMatrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -223,18 +222,15 @@ void LowOrderGrid<dim>::add_row(Block& block, const std::vector<unsigned int>& u
     block.matrix.add(row, columns.size(), columns.data(), values.data(), false);
     return;
   }
-  int size = 0, *columns = nullptr;
-  double* values = nullptr;
-  const Epetra_CrsMatrix& matrix = block.matrix.trilinos_matrix();
-  matrix.ExtractMyRowView(matrix.LRID(static_cast<int>(row)), size, values, columns);
-  int *end = columns + size, *next = end;
+  const StoredRow stored(block.matrix.trilinos_matrix(), static_cast<int>(row));
+  const double* end = stored.values + stored.n;
+  double* next = stored.values;
   for (std::size_t j = 0; j < unknowns.size(); ++j)
     if (block.free[unknowns[j]]) {
       const int column = block.columns[unknowns[j]];
-      if (next == end || *next != column) // most often the component after the last one
-        next = std::lower_bound(columns, end, column);
-      values[next - columns] += entries[j];
-      ++next;
+      if (next == end || stored.columns[next - stored.values] != column)
+        next = stored.entry(column); // most often it is the component after the last one
+      *next++ += entries[j];
     }
 }
 

@@ -1,5 +1,6 @@
 // Where the entries of the tangent stand.
 
+#include <thelma/assembly/stored_row.h>
 #include <thelma/assembly/tangent_matrix.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -18,24 +19,6 @@ namespace
 {
 
 using SparseMatrices = dealii::TrilinosWrappers::BlockSparseMatrix;
-
-/// A stored row of a block, by Trilinos' local numbers.
-struct Row {
-  Row(const Epetra_CrsMatrix& block, const dealii::types::global_dof_index row)
-  {
-    block.ExtractMyRowView(block.LRID(static_cast<int>(row)), n, values, columns);
-  }
-
-  /// Epetra sorts the columns of a matrix that is complete.
-  double* entry(const int column) const
-  {
-    return values + (std::lower_bound(columns, columns + n, column) - columns);
-  }
-
-  int n = 0;
-  double* values = nullptr;
-  int* columns = nullptr;
-};
 
 /// Finds a cell's rows in the matrix; Trilinos' own numbers are looked up once a cell.
 class CellColumns
@@ -58,13 +41,13 @@ public:
   void find(const std::size_t i, const std::vector<unsigned int>& coupled, double* const* starts,
             CellRows& cell) const
   {
-    std::vector<Row> rows;
+    std::vector<StoredRow> rows;
     for (unsigned int b = 0; b < ids.size(); ++b) {
       rows.emplace_back(matrix.block(block[i], b).trilinos_matrix(), indices[i]);
       cell.begins[i * ids.size() + b] = static_cast<int>(rows[b].values - starts[b]);
     }
     for (const unsigned int j : coupled) {
-      const Row& row = rows[block[j]];
+      const StoredRow& row = rows[block[j]];
       cell.offsets[i * block.size() + j] =
           static_cast<int>(row.entry(ids[block[i]][j]) - row.values);
     }
@@ -152,7 +135,7 @@ double* TangentMatrix<dim>::entry(const dealii::types::global_dof_index row,
   const auto [i, r] = start.global_to_local(row);
   const auto [j, c] = start.global_to_local(column);
   const Epetra_CrsMatrix& block = tangent.block(i, j).trilinos_matrix();
-  return Row(block, r).entry(block.LCID(static_cast<int>(c)));
+  return StoredRow(block, static_cast<int>(r)).entry(block.LCID(static_cast<int>(c)));
 }
 
 template <int dim>
