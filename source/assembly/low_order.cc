@@ -10,12 +10,12 @@ namespace thelma
 template <int dim>
 LowOrder<dim>::LowOrder(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
                         const State& state)
-    : layout(layout), state(state), nodes(layout.new_vector()),
-      n_blocks(layout.has(Field::potential) ? 2 : 1), fine(layout, conditions, 1)
+    : layout(layout), state(state), nodes(layout.new_vector()), fine(layout, conditions, 1, 1)
 {
   find_nodes();
   if (layout.degree() > 1) {
-    corners = std::make_unique<LowOrderGrid<dim>>(layout, conditions, layout.degree());
+    const unsigned int n_blocks = layout.has(Field::potential) ? 2 : 1;
+    corners = std::make_unique<LowOrderGrid<dim>>(layout, conditions, n_blocks, layout.degree());
     prolongations.resize(n_blocks);
     for (unsigned int block = 0; block < n_blocks; ++block)
       make_prolongation(block);
@@ -41,23 +41,24 @@ void LowOrder<dim>::make_prolongation(const unsigned int block)
 {
   const dealii::FE_Q<dim> linear(1);
   const auto& support = layout.scalar_element().get_unit_support_points(); // the corners first
+  const BlockVector vector = layout.new_vector();
+  const auto& places = *vector.block(block).get_partitioner();
   const auto for_each_weight = [&](const auto& visit) {
     for (const Cell<dim>& cell : layout.cells())
       if (block == 0 || cell.has_potential)
         for (std::size_t a = 0; a < support.size(); ++a)
           for (unsigned int c = block * dim; c < block * dim + components(block); ++c) {
             const unsigned int i = cell.local[a * cell.n_components + c];
-            const long long row = fine.number(block, i);
-            if (fine.is_free(block, i) && fine.owned(block).is_element(row))
+            if (corners->is_free(block, i) && i < places.locally_owned_size())
               for (unsigned int v = 0; v < linear.dofs_per_cell; ++v) {
                 const unsigned int j = cell.local[v * cell.n_components + c];
                 const double weight = linear.shape_value(v, support[a]);
                 if (weight > 0. && corners->is_free(block, j))
-                  visit(row, corners->number(block, j), weight);
+                  visit(places.local_to_global(i), corners->number(block, j), weight);
               }
           }
   };
-  const dealii::IndexSet &rows = fine.owned(block), &columns = corners->owned(block);
+  const dealii::IndexSet &rows = places.locally_owned_range(), &columns = corners->owned(block);
   dealii::DynamicSparsityPattern pattern(rows.size(), columns.size(), rows);
   for_each_weight([&](const long long i, const long long j, double) { pattern.add(i, j); });
   prolongations[block].reinit(rows, columns, pattern, layout.communicator());
@@ -96,10 +97,11 @@ void LowOrder<dim>::update()
 template <int dim>
 Surrogate LowOrder<dim>::surrogate(const unsigned int block) const
 {
-  if (block >= n_blocks)
-    return {};
-  return {&fine.matrix(block), corners ? &corners->matrix(block) : nullptr,
-          corners ? &prolongations[block] : nullptr, block == 0 ? 1. : -1.};
+  const Field field = layout.fields()[block];
+  const bool has_coarser = block < prolongations.size();
+  return {field == Field::displacement ? &fine.matrix(block) : nullptr, field == Field::potential,
+          has_coarser ? &corners->matrix(block) : nullptr,
+          has_coarser ? &prolongations[block] : nullptr};
 }
 
 /// Translations and rotations of the deformed body about its middle, at the nodes of the coarser

@@ -15,11 +15,11 @@ namespace thelma
 template <int dim>
 LowOrderGrid<dim>::LowOrderGrid(const FieldLayout<dim>& layout,
                                 const BoundaryConditions<dim>& conditions,
-                                const unsigned int spacing)
+                                const unsigned int n_blocks, const unsigned int spacing)
     : layout(layout)
 {
   find_parts(spacing);
-  blocks.resize(layout.has(Field::potential) ? 2 : 1);
+  blocks.resize(n_blocks);
   for (unsigned int b = 0; b < blocks.size(); ++b) {
     blocks[b].first_component = b * dim;
     blocks[b].n_components = b == 0 ? dim : 1;
@@ -191,7 +191,7 @@ void LowOrderGrid<dim>::add(const Cell<dim>& cell, const Positions& x, const dou
           }
         }
     add(blocks[0], unknowns(blocks[0], cell, part), shear.data());
-    if (cell.has_potential)
+    if (blocks.size() > 1 && cell.has_potential)
       add(blocks[1], unknowns(blocks[1], cell, part), electric.data());
   }
 }

@@ -17,6 +17,7 @@ namespace
 
 using Vector = MixedOperator::Vector;
 using BlockVector = MixedOperator::BlockVector;
+using Matrix = Surrogate::Matrix;
 
 /// x = approximate inverse times b; empty where a block is the identity.
 using Inverse = std::function<void(Vector& x, const Vector& b)>;
@@ -58,6 +59,17 @@ private:
   const std::vector<Inverse>& inverses;
 };
 
+/// positive = -negative, but for rows without equation, whose diagonal is positive in either.
+void turn(const Matrix& negative, Matrix& positive)
+{
+  positive.copy_from(negative);
+  positive *= -1.;
+  for (const auto row : positive.locally_owned_range_indices())
+    if (const double diagonal = positive.diag_element(row); diagonal < 0.)
+      positive.set(row, row, -diagonal);
+  positive.compress(dealii::VectorOperation::insert);
+}
+
 /// FGMRES on the tangent with pressures, preconditioned field by field.
 class BlockSolver final : public LinearSolver
 {
@@ -87,8 +99,8 @@ public:
         Surrogate surrogate = tangent.surrogates->surrogate(b);
         if (!surrogate.matrix)
           surrogate.matrix = &tangent.matrix.block(b, b);
-        LinearReport report =
-            is_flat ? factorise(b, surrogate) : set_up_cycle(b, surrogate, *tangent.surrogates);
+        LinearReport report = is_flat ? factorise(b, *surrogate.matrix)
+                                      : set_up_cycle(b, surrogate, *tangent.surrogates);
         if (!report.solved)
           return report;
       }
@@ -121,30 +133,36 @@ public:
   }
 
 private:
-  static constexpr unsigned int most_vectors = 80; ///< before a restart
+  static constexpr unsigned int most_vectors = 150; ///< before a restart
 
-  LinearReport set_up_cycle(const unsigned int block, const Surrogate& surrogate,
+  LinearReport set_up_cycle(const unsigned int block, Surrogate surrogate,
                             const Surrogates& surrogates)
   {
     const auto multigrid = std::make_shared<Multigrid>();
-    inverses[block] = [multigrid, sign = surrogate.sign](Vector& x, const Vector& b) {
+    inverses[block] = [multigrid, sign = surrogate.is_negative ? -1. : 1.](Vector& x,
+                                                                           const Vector& b) {
       multigrid->vmult(x, b);
       x *= sign;
     };
+    Matrix positive;
+    if (surrogate.is_negative) {
+      turn(*surrogate.matrix, positive);
+      surrogate.matrix = &positive;
+    }
     return multigrid->setup(surrogate, surrogates.components(block),
                             block == 0 ? surrogates.rigid_motions()
                                        : std::vector<std::vector<double>>());
   }
 
-  LinearReport factorise(const unsigned int block, const Surrogate& surrogate)
+  LinearReport factorise(const unsigned int block, const Matrix& matrix)
   {
     if (!factors[block])
       factors[block] = std::make_unique<Mumps>(communicator, true);
-    inverses[block] = [this, block, sign = surrogate.sign](Vector& x, const Vector& b) {
-      x.equ(sign, b);
+    inverses[block] = [this, block](Vector& x, const Vector& b) {
+      x = b;
       factors[block]->solve(x);
     };
-    return factors[block]->factorise(*surrogate.matrix);
+    return factors[block]->factorise(matrix);
   }
 
   MPI_Comm communicator = MPI_COMM_SELF;

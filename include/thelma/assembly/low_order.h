@@ -10,10 +10,10 @@
 namespace thelma
 {
 
-/// Stand-ins for the displacement and potential blocks of a tangent, on the deformed body and with
-/// linear elements between the same nodes (theory.md, eq. 48). Positive in every state, with the
-/// rigid motions as only null space. Where cells have more nodes than their corners, the same
-/// between these is the next coarser grid.
+/// What stands for the displacement block of a tangent, on the deformed body and with linear
+/// elements between the same nodes (theory.md, eq. 48). Positive in every state, with the rigid
+/// motions as only null space. Where cells have more nodes than their corners, linear elements
+/// between these are the next coarser grid of displacements and potential.
 template <int dim>
 class LowOrder final : public Surrogates
 {
@@ -36,7 +36,6 @@ private:
   const FieldLayout<dim>& layout;
   const State& state;
   BlockVector nodes; ///< reference position of each displacement unknown along its own axis
-  unsigned int n_blocks;
   LowOrderGrid<dim> fine;
   std::unique_ptr<LowOrderGrid<dim>> corners;
   std::vector<SparseMatrix> prolongations; ///< from the corners to all nodes

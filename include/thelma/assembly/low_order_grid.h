@@ -20,10 +20,11 @@ public:
   using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;
   using Positions = std::vector<dealii::Tensor<1, dim>>;
 
-  /// Between every @p spacing -th node of a cell along each axis. Unless that is every node,
-  /// the unknowns are numbered anew, with those of a node one after the other.
+  /// Of the first @p n_blocks fields, between every @p spacing -th node of a cell along each axis.
+  /// Unless that is every node, the unknowns are numbered anew, with those of a node one after
+  /// the other.
   LowOrderGrid(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
-               unsigned int spacing);
+               unsigned int n_blocks, unsigned int spacing);
 
   /// Begin a new assembly.
   void clear();
@@ -85,7 +86,7 @@ private:
   const FieldLayout<dim>& layout;
   std::vector<Corners> parts;
   std::array<std::array<dealii::Tensor<1, dim>, n_corners>, n_corners> reference_gradients;
-  std::vector<Block> blocks; ///< of displacement and, where there is one, potential
+  std::vector<Block> blocks; ///< of displacement and potential
 };
 
 } // namespace thelma

@@ -48,12 +48,13 @@ public:
 };
 
 /// An operator that stands for a diagonal block of a tangent wherever only the spectrum matters,
-/// and the same on a coarser grid, where there is one.
+/// and a coarser grid, where there is one.
 struct Surrogate {
   using Matrix = dealii::TrilinosWrappers::SparseMatrix;
-  const Matrix* matrix = nullptr; ///< positive; null for a block that is best taken as it is
-  const Matrix *coarser = nullptr, *prolongation = nullptr;
-  double sign = 1.; ///< of the block itself
+  const Matrix* matrix = nullptr;       ///< null for a block that is best taken as it is
+  bool is_negative = false;             ///< which that is, but for rows without equation
+  const Matrix* coarser = nullptr;      ///< positive in either case
+  const Matrix* prolongation = nullptr; ///< from the coarser grid
 };
 
 /// Those of all blocks.
