@@ -24,12 +24,13 @@ __attribute__((always_inline)) inline void multiply(const Product& p)
 {
   constexpr std::ptrdiff_t length = 8 * wide + 4 * narrow;
   for (int a = 0; a < length; a += rows) {
-    Wide w[rows][wide + 1] = {};
-    Narrow s[rows][narrow + 1] = {};
+    Wide w[rows][wide > 0 ? wide : 1] = {};
+    Narrow s[rows][narrow > 0 ? narrow : 1] = {};
     for (unsigned int k = 0; k < p.n_k; ++k) {
       const double* A = p.A[k] + a;
       const Wide* b = reinterpret_cast<const Wide*>(p.B + std::size_t(k) * length);
       const Narrow* rest = reinterpret_cast<const Narrow*>(b + wide);
+#pragma GCC unroll 8
       for (int r = 0; r < rows; ++r) {
         const double x = A[r];
         const Wide all = {x, x, x, x, x, x, x, x};
@@ -41,6 +42,7 @@ __attribute__((always_inline)) inline void multiply(const Product& p)
           s[r][v] += half * rest[v];
       }
     }
+#pragma GCC unroll 8
     for (int r = 0; r < rows; ++r) {
       double* C = p.C + (a + r) * length;
       for (std::ptrdiff_t v = 0; v < wide; ++v)

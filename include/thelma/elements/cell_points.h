@@ -67,7 +67,7 @@ struct CellPoints {
   {
     const NodalValues<dim> x(view.x, rule.basis().n_nodes, view.cell.n_components);
     for (unsigned int q = 0; q < n_points; ++q) {
-      gradients[q] = Gradients<dim>(rule.basis(), q, geometry[q]);
+      gradients[q].set(rule.basis(), q, geometry[q]);
       enhance(q, gradients[q]);
       set_lane(input[q / Lanes::n], q % Lanes::n, point_input(view, x, gradients[q]));
     }

@@ -17,9 +17,17 @@ struct Gradients {
 
   Gradients() = default;
   Gradients(const Basis<dim>& basis, const unsigned int q, const PointGeometry<dim>& point)
-      : n_nodes(basis.n_nodes), stride(basis.stride), N(basis.N.data() + q * stride)
   {
-    const double* reference = basis.dN.data() + q * dim * stride;
+    set(basis, q, point);
+  }
+
+  /// In place: most of the rows of a linear element are unused, and would be copied.
+  void set(const Basis<dim>& basis, const unsigned int q, const PointGeometry<dim>& point)
+  {
+    n_nodes = basis.n_nodes;
+    stride = basis.stride;
+    N = basis.N.data() + std::size_t(q) * stride;
+    const double* reference = basis.dN.data() + std::size_t(q) * dim * stride;
     for (int J = 0; J < dim; ++J)
       for (unsigned int a = 0; a < stride; ++a) {
         double sum = 0.;
