@@ -179,8 +179,8 @@ void LowOrderGrid<dim>::add(const Cell<dim>& cell, const Positions& x, const dou
     std::array<double, n * n> shear{};
     std::array<double, n_corners * n_corners> electric{};
     for (const Point& point : points(part, x))
-      for (unsigned int a = 0; a < n_corners; ++a)
-        for (unsigned int b = 0; b < n_corners; ++b) {
+      for (std::size_t a = 0; a < n_corners; ++a)
+        for (std::size_t b = 0; b < n_corners; ++b) {
           const auto &g = point.gradients[a], &h = point.gradients[b];
           const double product = point.weight * (g * h);
           electric[a * n_corners + b] += eps * product;

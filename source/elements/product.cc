@@ -23,9 +23,9 @@ template <int rows, int wide, int narrow>
 __attribute__((always_inline)) inline void multiply(const Product& p)
 {
   constexpr std::ptrdiff_t length = 8 * wide + 4 * narrow;
-  for (int a = 0; a < length; a += rows) {
-    Wide w[rows][wide > 0 ? wide : 1] = {};
-    Narrow s[rows][narrow > 0 ? narrow : 1] = {};
+  for (std::ptrdiff_t a = 0; a < length; a += rows) {
+    Wide w[rows][std::max(wide, 1)] = {};
+    Narrow s[rows][std::max(narrow, 1)] = {};
     for (unsigned int k = 0; k < p.n_k; ++k) {
       const double* A = p.A[k] + a;
       const Wide* b = reinterpret_cast<const Wide*>(p.B + std::size_t(k) * length);
@@ -48,7 +48,7 @@ __attribute__((always_inline)) inline void multiply(const Product& p)
       for (std::ptrdiff_t v = 0; v < wide; ++v)
         store(w[r][v], C + 8 * v, p.add);
       for (std::ptrdiff_t v = 0; v < narrow; ++v)
-        store(s[r][v], C + 8 * wide + 4 * v, p.add);
+        store(s[r][v], C + length - 4 * (narrow - v), p.add);
     }
   }
 }

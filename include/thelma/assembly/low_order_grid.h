@@ -50,7 +50,7 @@ public:
   }
 
 private:
-  static constexpr unsigned int n_corners = 1 << dim;
+  static constexpr std::size_t n_corners = 1 << dim;
   using Corners = std::array<unsigned int, n_corners>; ///< nodes of a part of a cell
   /// Gradients of the corners' functions at a point, and its weight.
   struct Point {
