@@ -2,13 +2,12 @@
 #include <thelma/base/parameters.h>
 #include <thelma/output/curve.h>
 #include <thelma/output/fields.h>
+#include <thelma/output/vtu_files.h>
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/mpi.h>
-#include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
-#include <exception>
 #include <sstream>
 
 namespace thelma
@@ -99,25 +98,6 @@ private:
   const MaterialLibrary& materials;
 };
 
-/// The number @p step of the files @p name; throws WriteError on all ranks if one has no room.
-template <int dim>
-std::string write_pieces(const dealii::DataOut<dim>& out, const std::string& folder,
-                         const std::string& name, const unsigned int step, const MPI_Comm comm,
-                         const unsigned int digits)
-{
-  std::string file;
-  bool failed = false;
-  try {
-    file = out.write_vtu_with_pvtu_record(folder + "/", name, step, comm, digits);
-  } catch (const std::exception&) {
-    failed = true; // deal.II's sentence names no file
-  }
-  if (dealii::Utilities::MPI::logical_or(failed, comm))
-    throw WriteError("cannot write the fields into '" + folder +
-                     "'; choose another --output folder or make room");
-  return file;
-}
-
 /// Names and kinds of the solution's own components.
 template <int dim>
 void describe(const FieldLayout<dim>& layout, std::vector<std::string>& names,
@@ -138,10 +118,11 @@ template <int dim>
 void FieldWriter<dim>::declare(dealii::ParameterHandler& prm)
 {
   const Section section(prm, {"Output"});
-  prm.add_parameter("Fields", frequency,
-                    "For which accepted steps the fields are written as VTU: `every`, `last` or "
-                    "`none`.",
-                    dealii::Patterns::Selection("every|last|none"));
+  prm.add_parameter(
+      "Fields", frequency,
+      "For which accepted steps the fields are written as VTU, a file for every 16 ranks: "
+      "`every`, `last` or `none`.",
+      dealii::Patterns::Selection("every|last|none"));
 }
 
 template <int dim>
@@ -156,13 +137,13 @@ void FieldWriter<dim>::write(const Scene<dim>& scene, const std::string& folder,
   const PointQuantities<dim> quantities(scene, scene.materials);
   BlockVector x = scene.state.x;
   scene.layout.complete(x);
-  dealii::DataOut<dim> out;
+  VtuFiles<dim> out;
   out.add_data_vector(scene.layout.dof_handler(), x, names, kinds);
   out.add_data_vector(scene.layout.dof_handler(), x, quantities);
   out.build_patches(scene.layout.mapping(), scene.layout.degree(),
                     dealii::DataOut<dim>::curved_inner_cells);
-  const std::string file =
-      write_pieces(out, folder, "fields", step, scene.layout.communicator(), 4);
+  const std::string file = out.write(folder, "fields_" + dealii::Utilities::int_to_string(step, 4),
+                                     scene.layout.communicator());
 
   if (!written.empty() && written.back().first == load)
     written.pop_back(); // on the way to the state at time 0
@@ -193,10 +174,10 @@ void FieldWriter<dim>::write_mode(const Scene<dim>& scene, const std::string& fo
   describe(scene.layout, names, kinds);
   mode.update_ghost_values();
   scene.layout.complete(mode);
-  dealii::DataOut<dim> out;
+  VtuFiles<dim> out;
   out.add_data_vector(scene.layout.dof_handler(), mode, names, kinds);
   out.build_patches(scene.layout.degree());
-  write_pieces(out, folder, "mode", n_modes++, scene.layout.communicator(), 1);
+  out.write(folder, "mode_" + std::to_string(n_modes++), scene.layout.communicator());
 }
 
 template class FieldWriter<2>;
