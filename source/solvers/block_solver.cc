@@ -60,7 +60,7 @@ private:
 };
 
 /// positive = -negative, but for rows without equation, whose diagonal is positive in either.
-void turn(const Matrix& negative, Matrix& positive)
+void negate(const Matrix& negative, Matrix& positive)
 {
   positive.copy_from(negative);
   positive *= -1.;
@@ -146,7 +146,7 @@ private:
     };
     Matrix positive;
     if (surrogate.is_negative) {
-      turn(*surrogate.matrix, positive);
+      negate(*surrogate.matrix, positive);
       surrogate.matrix = &positive;
     }
     return multigrid->setup(surrogate, surrogates.components(block),
