@@ -57,13 +57,13 @@ template <int dim>
 void System<dim>::keep_pressures()
 {
   pressures.reset();
-  low_order.reset();
+  corner_grids.reset();
   if (!solver->keeps_pressures())
     return;
   pressures = std::make_unique<PressureBlocks<dim>>(
       layout, conditions, *formulation,
       [this](const std::size_t cell) { return elimination(cell); });
-  low_order = std::make_unique<LowOrder<dim>>(layout, conditions, state);
+  corner_grids = std::make_unique<CornerGrids<dim>>(layout, conditions, state);
   release_memory();
 }
 
@@ -85,8 +85,8 @@ LinearReport System<dim>::prepare_solver()
     });
   const unsigned int n_symmetric =
       is_symmetric() ? layout.fields().size() : layout.block(Field::temperature);
-  LinearReport report =
-      solver->prepare({matrix.matrix(), pressures.get(), low_order.get(), is_solved, n_symmetric});
+  LinearReport report = solver->prepare(
+      {matrix.matrix(), pressures.get(), corner_grids.get(), is_solved, n_symmetric});
   if (report.solved) {
     floating.finish(*solver);
     report.negative_pivots += floating.negative_pivots();

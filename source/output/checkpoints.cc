@@ -1,8 +1,6 @@
 #include <thelma/base/error.h>
 #include <thelma/output/checkpoints.h>
 
-#include <boost/crc.hpp>
-
 #include <array>
 #include <cstring>
 #include <fcntl.h>
@@ -10,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <unistd.h>
+#include <zlib.h>
 
 namespace thelma
 {
@@ -22,13 +21,12 @@ struct Header {
   std::uint64_t number, size, checksum;
 };
 
-std::uint32_t checksum(const std::uint64_t number, const std::string& content)
+std::uint64_t checksum(const std::uint64_t number, const std::string& content)
 {
-  boost::crc_32_type sum;
-  const std::uint64_t numbers[]{number, content.size()};
-  sum.process_bytes(numbers, sizeof(numbers));
-  sum.process_bytes(content.data(), content.size());
-  return sum.checksum();
+  const std::array<std::uint64_t, 2> numbers{{number, content.size()}};
+  const auto of_numbers =
+      crc32_z(0, reinterpret_cast<const Bytef*>(numbers.data()), sizeof(numbers));
+  return crc32_z(of_numbers, reinterpret_cast<const Bytef*>(content.data()), content.size());
 }
 
 /// Have the system write all it holds back of a file or folder.

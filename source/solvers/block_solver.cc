@@ -17,7 +17,7 @@ namespace
 
 using Vector = MixedOperator::Vector;
 using BlockVector = MixedOperator::BlockVector;
-using Matrix = Surrogate::Matrix;
+using Matrix = CoarseGrid::Matrix;
 
 /// x = approximate inverse times b; empty where a block is the identity.
 using Inverse = std::function<void(Vector& x, const Vector& b)>;
@@ -91,16 +91,15 @@ public:
   {
     inverses.clear(); // the old ones' memory first
     op.emplace(tangent);
-    tangent.surrogates->update();
+    if (!is_flat)
+      tangent.coarse_grids->update();
     inverses.resize(op->size());
     factors.resize(op->size());
     for (unsigned int b = 0; b < op->size(); ++b)
       if (tangent.solved[b]) {
-        Surrogate surrogate = tangent.surrogates->surrogate(b);
-        if (!surrogate.matrix)
-          surrogate.matrix = &tangent.matrix.block(b, b);
-        LinearReport report = is_flat ? factorise(b, *surrogate.matrix)
-                                      : set_up_cycle(b, surrogate, *tangent.surrogates);
+        const Matrix& block = tangent.matrix.block(b, b);
+        LinearReport report =
+            is_flat ? factorise(b, block) : set_up_cycle(b, block, *tangent.coarse_grids);
         if (!report.solved)
           return report;
       }
@@ -135,22 +134,21 @@ public:
 private:
   static constexpr unsigned int most_vectors = 150; ///< before a restart
 
-  LinearReport set_up_cycle(const unsigned int block, Surrogate surrogate,
-                            const Surrogates& surrogates)
+  LinearReport set_up_cycle(const unsigned int block, const Matrix& matrix,
+                            const CoarseGrids& grids)
   {
     const auto multigrid = std::make_shared<Multigrid>();
-    inverses[block] = [multigrid, sign = surrogate.is_negative ? -1. : 1.](Vector& x,
-                                                                           const Vector& b) {
+    const CoarseGrid coarse = grids.of_block(block);
+    inverses[block] = [multigrid, sign = coarse.is_negative ? -1. : 1.](Vector& x,
+                                                                        const Vector& b) {
       multigrid->vmult(x, b);
       x *= sign;
     };
     Matrix positive;
-    if (surrogate.is_negative) {
-      negate(*surrogate.matrix, positive);
-      surrogate.matrix = &positive;
-    }
-    return multigrid->setup(surrogate, surrogates.components(block),
-                            block == 0 ? surrogates.rigid_motions()
+    if (coarse.is_negative)
+      negate(matrix, positive);
+    return multigrid->setup(coarse.is_negative ? positive : matrix, coarse, grids.components(block),
+                            block == 0 ? grids.rigid_motions()
                                        : std::vector<std::vector<double>>());
   }
 

@@ -10,7 +10,7 @@ Laplacian::Laplacian(const Matrix& matrix, const bool iterates)
 {
   if (iterates) {
     block = BlockMatrix<double>(matrix.block(0, 0).trilinos_matrix(), 1);
-    works = multigrid.setup({&matrix.block(0, 0)}, 1, {}).solved;
+    works = multigrid.setup(matrix.block(0, 0), {}, 1, {}).solved;
     return;
   }
   factors = std::make_unique<Mumps>(matrix.get_mpi_communicator(), true, Mumps::Ordering::quick);

@@ -28,10 +28,11 @@ void MixedOperator::copy(const unsigned int b, const unsigned int c)
   if (block.n_nonzero_elements() == 0 || (c < b && is_symmetric(b, c)))
     return;
   const Epetra_CrsMatrix& matrix = block.trilinos_matrix();
-  const unsigned int group = tangent.surrogates->components(b);
-  blocks.back() = c == b && is_symmetric(b, b)
-                      ? std::make_unique<Matrix>(matrix, group)
-                      : std::make_unique<Matrix>(matrix, group, tangent.surrogates->components(c));
+  const unsigned int group = tangent.coarse_grids->components(b);
+  blocks.back() =
+      c == b && is_symmetric(b, b)
+          ? std::make_unique<Matrix>(matrix, group)
+          : std::make_unique<Matrix>(matrix, group, tangent.coarse_grids->components(c));
 }
 
 MixedOperator::BlockVector MixedOperator::new_vector() const

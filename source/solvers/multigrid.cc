@@ -20,14 +20,15 @@ std::unique_ptr<Epetra_CrsMatrix> convert(ML_Operator& from)
 
 } // namespace
 
-LinearReport Multigrid::setup(const Surrogate& given, const unsigned int n_components,
+LinearReport Multigrid::setup(const Matrix& matrix, const CoarseGrid& coarse,
+                              const unsigned int n_components,
                               const std::vector<std::vector<double>>& null_space)
 {
   levels.clear();
-  if (given.coarser)
-    add_level(given.matrix->trilinos_matrix(), n_components,
-              BlockMatrix<float>(given.prolongation->trilinos_matrix(), 1, 1));
-  return add_aggregates(given.coarser ? *given.coarser : *given.matrix, n_components, null_space);
+  if (coarse.matrix)
+    add_level(matrix.trilinos_matrix(), n_components,
+              BlockMatrix<float>(coarse.prolongation->trilinos_matrix(), 1, 1));
+  return add_aggregates(coarse.matrix ? *coarse.matrix : matrix, n_components, null_space);
 }
 
 /// Further levels by aggregation, down to one that is factorised.
@@ -85,7 +86,7 @@ void Multigrid::add_level(const Epetra_CrsMatrix& matrix, const unsigned int gro
   Smoother::AdditionalData data;
   data.degree = 2;
   // What coarser levels leave over lies in the upper part of the spectrum.
-  data.smoothing_range = 7.;
+  data.smoothing_range = 5.;
   data.preconditioner = std::make_shared<BlockMatrix<float>>(level->matrix.inverse_of_diagonal());
   level->smoother.initialize(level->matrix, data);
   level->smoother.estimate_eigenvalues(level->residual);

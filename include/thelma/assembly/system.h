@@ -1,8 +1,8 @@
 #pragma once
 
+#include <thelma/assembly/corner_grids.h>
 #include <thelma/assembly/floating_electrodes.h>
 #include <thelma/assembly/follower_pressure.h>
-#include <thelma/assembly/low_order.h>
 #include <thelma/assembly/nodal_heat.h>
 #include <thelma/assembly/pressure_blocks.h>
 #include <thelma/base/timings.h>
@@ -168,7 +168,7 @@ private:
   LinearChoice choice;
   bool needs_inertia = false;
   std::unique_ptr<PressureBlocks<dim>> pressures; ///< of a solver that keeps them
-  std::unique_ptr<LowOrder<dim>> low_order;
+  std::unique_ptr<CornerGrids<dim>> corner_grids;
   std::unique_ptr<LinearSolver> solver; ///< refers to both
   std::vector<double> scales;           ///< per block
   double volume = 0.;                   ///< mm^dim

@@ -47,28 +47,26 @@ public:
   virtual Vector inverse_scales() const = 0;
 };
 
-/// An operator that stands for a diagonal block of a tangent wherever only the spectrum matters,
-/// and a coarser grid, where there is one.
-struct Surrogate {
+/// Where multigrid goes on from a diagonal block of a tangent.
+struct CoarseGrid {
   using Matrix = dealii::TrilinosWrappers::SparseMatrix;
-  const Matrix* matrix = nullptr;       ///< null for a block that is best taken as it is
-  bool is_negative = false;             ///< which that is, but for rows without equation
-  const Matrix* coarser = nullptr;      ///< positive in either case
-  const Matrix* prolongation = nullptr; ///< from the coarser grid
+  const Matrix* matrix = nullptr;       ///< positive; null where there is none
+  const Matrix* prolongation = nullptr; ///< to the block's own unknowns
+  bool is_negative = false;             ///< the block itself, but for rows without equation
 };
 
 /// Those of all blocks.
-class Surrogates
+class CoarseGrids
 {
 public:
-  virtual ~Surrogates() = default;
+  virtual ~CoarseGrids() = default;
 
   /// Build those of the present state.
   virtual void update() = 0;
 
-  virtual Surrogate surrogate(unsigned int block) const = 0;
+  virtual CoarseGrid of_block(unsigned int block) const = 0;
 
-  /// What displaces no cell relative to itself on the coarsest grid, one vector of this rank's
+  /// What displaces no cell relative to itself on the coarse grid, one vector of this rank's
   /// entries each.
   virtual const std::vector<std::vector<double>>& rigid_motions() const = 0;
 
@@ -80,7 +78,7 @@ public:
 struct Tangent {
   const dealii::TrilinosWrappers::BlockSparseMatrix& matrix;
   const CellPressures* pressures = nullptr; ///< null: condensed
-  Surrogates* surrogates = nullptr;         ///< for solvers that keep pressures
+  CoarseGrids* coarse_grids = nullptr;      ///< for solvers that keep pressures
   std::vector<bool> solved = {};            ///< blocks that are no identity
   unsigned int n_symmetric = 0; ///< the first so many blocks, and those between them, are symmetric
 };

@@ -13,17 +13,18 @@
 namespace thelma
 {
 
-/// One cycle of algebraic multigrid as an approximate inverse. ML aggregates and makes the coarser
-/// matrices; the cycle runs in single precision, since the bytes it reads are what it costs.
+/// One cycle of multigrid as an approximate inverse: from the matrix itself to a given coarse grid,
+/// if there is one, and from there on to aggregates, which ML makes. The cycle runs in single
+/// precision, since the bytes it reads are what it costs.
 class Multigrid
 {
 public:
   using Vector = dealii::LinearAlgebra::distributed::Vector<float>;
   using Matrix = dealii::TrilinosWrappers::SparseMatrix;
 
-  /// @p n_components unknowns of a node follow one another; @p null_space holds what the coarser
-  /// of the given matrices hardly sees, constants if it is empty.
-  LinearReport setup(const Surrogate& given, unsigned int n_components,
+  /// @p n_components unknowns of a node follow one another; @p null_space holds what the coarse
+  /// grid's matrix, or else the only one, hardly sees, constants if it is empty.
+  LinearReport setup(const Matrix& matrix, const CoarseGrid& coarse, unsigned int n_components,
                      const std::vector<std::vector<double>>& null_space);
 
   void vmult(Vector& x, const Vector& b) const { cycle(0, x, b); }

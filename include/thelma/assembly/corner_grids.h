@@ -1,0 +1,51 @@
+#pragma once
+
+#include <thelma/assembly/corner_grid.h>
+#include <thelma/fields/state.h>
+#include <thelma/solvers/linear_solver.h>
+
+#include <array>
+#include <vector>
+
+namespace thelma
+{
+
+/// Linear elements between the corners of cells of the deformed body, where multigrid goes on from
+/// the displacement and potential blocks of a tangent: 2 mu sym(grad v) : sym(grad w) and
+/// eps grad(phi) . grad(chi) (theory.md, eq. 48). Positive in every state, with the rigid motions
+/// as only null space.
+template <int dim>
+class CornerGrids final : public CoarseGrids
+{
+public:
+  CornerGrids(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
+              const State& state);
+
+  void update() override;
+  CoarseGrid of_block(unsigned int block) const override;
+  const std::vector<std::vector<double>>& rigid_motions() const override { return motions; }
+  unsigned int components(const unsigned int block) const override { return block == 0 ? dim : 1; }
+
+private:
+  static constexpr std::size_t n_corners = CornerGrid<dim>::n_corners;
+  using Positions = std::array<dealii::Tensor<1, dim>, n_corners>;
+  /// Gradients of the corners' functions at a point, and its weight.
+  struct Point {
+    std::array<dealii::Tensor<1, dim>, n_corners> gradients;
+    double weight;
+  };
+
+  void find_corners();
+  void add(const Cell<dim>& cell, const Positions& x, double mu, double eps);
+  std::array<Point, n_corners> points(const Positions& x) const;
+  void find_motions();
+
+  const FieldLayout<dim>& layout;
+  const State& state;
+  std::vector<CornerGrid<dim>> grids; ///< of displacement and, where there is one, potential
+  BlockVector corners; ///< reference position of a corner's displacements along their own axes
+  std::array<std::array<dealii::Tensor<1, dim>, n_corners>, n_corners> reference_gradients;
+  std::vector<std::vector<double>> motions;
+};
+
+} // namespace thelma
