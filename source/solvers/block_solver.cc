@@ -80,6 +80,7 @@ public:
     communicator = comm;
     settings = chosen;
     is_flat = problem.flatness > LinearProblem::flat;
+    smoothing = problem.flatness > 2. ? 2 : 1;
   }
 
   bool keeps_pressures() const override { return true; }
@@ -148,8 +149,8 @@ private:
     if (coarse.is_negative)
       negate(matrix, positive);
     return multigrid->setup(coarse.is_negative ? positive : matrix, coarse, grids.components(block),
-                            block == 0 ? grids.rigid_motions()
-                                       : std::vector<std::vector<double>>());
+                            block == 0 ? grids.rigid_motions() : std::vector<std::vector<double>>(),
+                            smoothing);
   }
 
   LinearReport factorise(const unsigned int block, const Matrix& matrix)
@@ -166,6 +167,7 @@ private:
   MPI_Comm communicator = MPI_COMM_SELF;
   LinearSettings settings;
   bool is_flat = false;
+  unsigned int smoothing = 1; ///< flatter cells need more
   std::optional<MixedOperator> op;
   std::vector<Inverse> inverses;
   std::vector<std::unique_ptr<Mumps>> factors; ///< of every block, in a flat body

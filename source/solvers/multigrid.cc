@@ -22,12 +22,13 @@ std::unique_ptr<Epetra_CrsMatrix> convert(ML_Operator& from)
 
 LinearReport Multigrid::setup(const Matrix& matrix, const CoarseGrid& coarse,
                               const unsigned int n_components,
-                              const std::vector<std::vector<double>>& null_space)
+                              const std::vector<std::vector<double>>& null_space,
+                              const unsigned int degree)
 {
   levels.clear();
   if (coarse.matrix)
     add_level(matrix.trilinos_matrix(), n_components,
-              BlockMatrix<float>(coarse.prolongation->trilinos_matrix(), 1, 1));
+              BlockMatrix<float>(coarse.prolongation->trilinos_matrix(), 1, 1), degree);
   return add_aggregates(coarse.matrix ? *coarse.matrix : matrix, n_components, null_space);
 }
 
@@ -64,7 +65,7 @@ LinearReport Multigrid::add_aggregates(const Matrix& matrix, const unsigned int 
   for (int level = 0; level < ml.ML_coarsest_level; ++level) {
     const unsigned int group = level == 0 ? n_components : group_of_coarser;
     add_level(level == 0 ? matrix.trilinos_matrix() : *coarser, group,
-              BlockMatrix<float>(*convert(ml.Pmat[level + 1]), group, group_of_coarser));
+              BlockMatrix<float>(*convert(ml.Pmat[level + 1]), group, group_of_coarser), 3);
     coarser = convert(ml.Amat[level + 1]);
   }
   coarsest = std::make_unique<Mumps>(matrix.get_mpi_communicator(), true, Mumps::Ordering::quick);
@@ -76,7 +77,7 @@ LinearReport Multigrid::add_aggregates(const Matrix& matrix, const unsigned int 
 }
 
 void Multigrid::add_level(const Epetra_CrsMatrix& matrix, const unsigned int group,
-                          BlockMatrix<float>&& prolongation)
+                          BlockMatrix<float>&& prolongation, const unsigned int degree)
 {
   auto level = std::make_unique<Level>();
   level->matrix = BlockMatrix<float>(matrix, group);
@@ -84,7 +85,7 @@ void Multigrid::add_level(const Epetra_CrsMatrix& matrix, const unsigned int gro
   level->residual = level->matrix.vector_of_rows();
   level->coarse_residual = level->coarse_correction = level->prolongation.vector_of_columns();
   Smoother::AdditionalData data;
-  data.degree = 2;
+  data.degree = degree;
   // What coarser levels leave over lies in the upper part of the spectrum.
   data.smoothing_range = 5.;
   data.preconditioner = std::make_shared<BlockMatrix<float>>(level->matrix.inverse_of_diagonal());

@@ -23,9 +23,10 @@ public:
   using Matrix = dealii::TrilinosWrappers::SparseMatrix;
 
   /// @p n_components unknowns of a node follow one another; @p null_space holds what the coarse
-  /// grid's matrix, or else the only one, hardly sees, constants if it is empty.
+  /// grid's matrix, or else the only one, hardly sees, constants if it is empty. @p degree is that
+  /// of the polynomial that smooths a matrix which has a coarse grid.
   LinearReport setup(const Matrix& matrix, const CoarseGrid& coarse, unsigned int n_components,
-                     const std::vector<std::vector<double>>& null_space);
+                     const std::vector<std::vector<double>>& null_space, unsigned int degree = 1);
 
   void vmult(Vector& x, const Vector& b) const { cycle(0, x, b); }
   void vmult(dealii::LinearAlgebra::distributed::Vector<double>& x,
@@ -45,7 +46,7 @@ private:
   LinearReport add_aggregates(const Matrix& matrix, unsigned int n_components,
                               const std::vector<std::vector<double>>& null_space);
   void add_level(const Epetra_CrsMatrix& matrix, unsigned int group,
-                 BlockMatrix<float>&& prolongation);
+                 BlockMatrix<float>&& prolongation, unsigned int degree);
 
   std::vector<std::unique_ptr<Level>> levels; ///< from fine to coarse
   std::unique_ptr<Mumps> coarsest;
