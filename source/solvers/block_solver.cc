@@ -80,7 +80,7 @@ public:
     communicator = comm;
     settings = chosen;
     is_flat = problem.flatness > LinearProblem::flat;
-    smoothing = problem.flatness > 2. ? 2 : 1;
+    smoothing = problem.flatness > near_cubic ? 2 : 1;
   }
 
   bool keeps_pressures() const override { return true; }
@@ -134,6 +134,7 @@ public:
 
 private:
   static constexpr unsigned int most_vectors = 150; ///< before a restart
+  static constexpr double near_cubic = 2.;          ///< flatter cells need more smoothing
 
   LinearReport set_up_cycle(const unsigned int block, const Matrix& matrix,
                             const CoarseGrids& grids)
@@ -167,7 +168,7 @@ private:
   MPI_Comm communicator = MPI_COMM_SELF;
   LinearSettings settings;
   bool is_flat = false;
-  unsigned int smoothing = 1; ///< flatter cells need more
+  unsigned int smoothing = 1;
   std::optional<MixedOperator> op;
   std::vector<Inverse> inverses;
   std::vector<std::unique_ptr<Mumps>> factors; ///< of every block, in a flat body

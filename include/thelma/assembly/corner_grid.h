@@ -36,8 +36,6 @@ public:
   const SparseMatrix& matrix() const { return values; }
   const SparseMatrix& prolongation() const { return interpolation; }
 
-  unsigned int n_components() const { return components; }
-
   /// Whether the field's unknown with this place in a vector of its block is one of a corner.
   bool is_corner(const unsigned int local) const { return numbers[local] >= 0; }
   bool is_free(const unsigned int local) const { return free[local]; }
