@@ -17,7 +17,7 @@ std::string VtuFiles<dim>::write(const std::string& folder, const std::string& n
   const auto piece = [&](const unsigned int group) {
     return name_and_step + "." + std::to_string(group) + ".vtu";
   };
-  const std::string record = name_and_step + ".pvtu";
+  std::string record = name_and_step + ".pvtu";
   MPI_Comm members = MPI_COMM_NULL;
   MPI_Comm_split(comm, static_cast<int>(rank / group_size), static_cast<int>(rank), &members);
   const std::string content = collect(members);
