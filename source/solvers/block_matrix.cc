@@ -93,8 +93,8 @@ void multiply_transposed(const Blocks& blocks, const Number factor, const Number
   constexpr std::size_t size = std::size_t(n) * m;
   for (std::size_t row = 0; row + 1 < blocks.starts.size(); ++row)
     for (std::size_t k = blocks.starts[row]; k < blocks.starts[row + 1]; ++k)
-      for (unsigned int j = 0; j < m; ++j)
-        for (unsigned int i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < m; ++j)
+        for (std::size_t i = 0; i < n; ++i)
           y[blocks.places[k] + j] += factor * blocks.values[k * size + j * n + i] * x[row * n + i];
 }
 
@@ -144,7 +144,7 @@ void BlockMatrix<Number>::copy(const Epetra_CrsMatrix& matrix, const bool symmet
   Blocks& most = symmetric ? twice : once;
   const std::size_t n_most = matrix.NumMyNonzeros() / (symmetric ? 2 : 1);
   most.values.reserve(n_most + n_most / 16);
-  most.places.reserve((n_most + n_most / 16) / (n * m));
+  most.places.reserve((n_most + n_most / 16) / (std::size_t(n) * m));
   for (unsigned int row = 0; row * n < rows.n_elements(); ++row) {
     for (unsigned int i = 0; i < n; ++i) {
       int size = 0, *indices = nullptr;
