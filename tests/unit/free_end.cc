@@ -90,7 +90,7 @@ TEST(BendingActuator, FreeEndBuckles)
   double edge = 0., half_wave = 0., product = 0.; // and on the end face, with cos(pi x2/W)
   const auto& points = scene.layout.scalar_element().get_unit_support_points();
   for (const Cell<3>& cell : scene.layout.cells())
-    for (unsigned int a = 0; a < points.size(); ++a) {
+    for (std::size_t a = 0; a < points.size(); ++a) {
       const dealii::Point<3> X =
           dealii::MappingQ1<3>().transform_unit_to_real_cell(cell.iterator, points[a]);
       const double u1 = mode(cell.dofs[a * cell.n_components]);
