@@ -31,7 +31,9 @@ Vector start_of_length(const unsigned int n)
 /// vectors.
 TEST(Eigenpair, OfADiagonalMatrixWithFewUnknowns)
 {
-  const auto value = [](const unsigned int i) { return i == 3 ? -0.1 : 1. + i / 3; };
+  const auto value = [](const unsigned int i) {
+    return i == 3 ? -0.1 : static_cast<double>(1 + i / 3);
+  };
   const auto found = thelma::smallest_eigenpair(
       [&](Vector& x) {
         for (const auto i : x.locally_owned_elements())

@@ -60,7 +60,9 @@ std::pair<double, BlockVector> most_unstable_mode(TestScene<3>& scene)
 void solve_bending(TestScene<3>& scene, const double from, const double to)
 {
   constexpr double per_e = 10.5325 / 0.87; // kV
-  for (double e = from + 0.02; e < to + 0.001; e += 0.02) {
+  const auto n_steps = std::lround((to - from) / 0.02);
+  for (long step = 1; step <= n_steps; ++step) {
+    const double e = from + 0.02 * static_cast<double>(step);
     scene.conditions.apply(e * per_e, 293., 1., scene.state.x);
     const NewtonReport report = Newton().solve(scene.system);
     ASSERT_TRUE(report.converged) << e << ' ' << report.reason;
