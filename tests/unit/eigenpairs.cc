@@ -32,7 +32,8 @@ Vector start_of_length(const unsigned int n)
 TEST(Eigenpair, OfADiagonalMatrixWithFewUnknowns)
 {
   const auto value = [](const unsigned int i) {
-    return i == 3 ? -0.1 : static_cast<double>(1 + i / 3);
+    const unsigned int pair = i / 3;
+    return i == 3 ? -0.1 : 1. + pair;
   };
   const auto found = thelma::smallest_eigenpair(
       [&](Vector& x) {
