@@ -47,10 +47,7 @@ void CornerGrids<dim>::update()
         const unsigned int i = cell.local[v * cell.n_components + c];
         x[v][c] = corners.block(0).local_element(i) + state.x.block(0).local_element(i);
       }
-    const double theta = layout.has(Field::temperature)
-                             ? state.x.block(layout.block(Field::temperature))
-                                   .local_element(cell.local[cell.n_components - 1])
-                             : state.theta;
+    const double theta = cell_temperature(layout, state, cell);
     add(cell, x, cell.material->shear_modulus(theta), cell.material->permittivity(theta));
   }
   for (CornerGrid<dim>& grid : grids)

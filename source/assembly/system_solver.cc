@@ -77,11 +77,7 @@ LinearReport System<dim>::prepare_solver()
   if (pressures)
     pressures->update([this](const std::size_t index) {
       const Cell<dim>& cell = layout.cells()[index];
-      const double theta = layout.has(Field::temperature)
-                               ? state.x.block(layout.block(Field::temperature))
-                                     .local_element(cell.local[cell.n_components - 1])
-                               : state.theta;
-      return cell.material->shear_modulus(theta);
+      return cell.material->shear_modulus(cell_temperature(layout, state, cell));
     });
   const unsigned int n_symmetric =
       is_symmetric() ? layout.fields().size() : layout.block(Field::temperature);

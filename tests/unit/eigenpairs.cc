@@ -32,8 +32,8 @@ Vector start_of_length(const unsigned int n)
 TEST(Eigenpair, OfADiagonalMatrixWithFewUnknowns)
 {
   const auto value = [](const unsigned int i) {
-    const unsigned int pair = i / 3;
-    return i == 3 ? -0.1 : 1. + pair;
+    const unsigned int triple = i / 3;
+    return i == 3 ? -0.1 : 1. + triple;
   };
   const auto found = thelma::smallest_eigenpair(
       [&](Vector& x) {

@@ -90,4 +90,14 @@ private:
   std::vector<Accepted> past;
 };
 
+/// A temperature of a cell in K, where one number has to do for all of it: that at its last node.
+template <int dim>
+double cell_temperature(const FieldLayout<dim>& layout, const State& state, const Cell<dim>& cell)
+{
+  if (!layout.has(Field::temperature))
+    return state.theta;
+  return state.x.block(layout.block(Field::temperature))
+      .local_element(cell.local[cell.n_components - 1]);
+}
+
 } // namespace thelma
