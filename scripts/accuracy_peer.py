@@ -6,10 +6,10 @@ import tempfile
 from dataclasses import replace
 from pathlib import Path
 
+import interpreter
 from accuracy_cases import PEER_PROGRAMS, ROOT
 from accuracy_run import AccuracyError
 
-PYTHON = "/usr/bin/python3"  # Debian's packages are for this one
 SCRIPT = ROOT / "benchmarks/peer/bending_fenicsx.py"
 PROGRAMS = dict(zip(("dolfinx", "gathered"), PEER_PROGRAMS))  # by its ways of assembly
 PATIENCE = 900  # seconds; the first run of an element compiles its forms
@@ -17,9 +17,9 @@ PATIENCE = 900  # seconds; the first run of an element compiles its forms
 
 def require():
     """Whether it can run here."""
-    command = [PYTHON, "-c", "import dolfinx.fem.petsc, petsc4py"]
+    command = [interpreter.SYSTEM, "-c", "import dolfinx.fem.petsc, petsc4py"]
     if subprocess.run(command, capture_output=True, check=False).returncode != 0:
-        raise AccuracyError(f"--peer needs FEniCSx for {PYTHON}, which has none; "
+        raise AccuracyError(f"--peer needs FEniCSx for {interpreter.SYSTEM}, which has none; "
                             "benchmarks/peer/README.md names the packages.")
 
 
@@ -37,7 +37,7 @@ def measure(row):
     name = f"{row.element} {row.cells.replace(' ', '')}"
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "peer.csv"
-        command = [PYTHON, str(SCRIPT), "--case", name, "--output", str(path)]
+        command = [interpreter.SYSTEM, str(SCRIPT), "--case", name, "--output", str(path)]
         try:
             result = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE,
                                     check=False)

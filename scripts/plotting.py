@@ -1,16 +1,14 @@
 """What all pictures share: fonts, colours, legends, files."""
 
 import io
-import sys
 from pathlib import Path
 
-try:
-    import matplotlib
-    import numpy as np
-except ImportError as error:
-    sys.exit(f"{Path(sys.argv[0]).name}: {sys.executable} has no {error.name}; on Debian install "
-             "python3-matplotlib and use /usr/bin/python3.")
+import interpreter
 
+interpreter.require("matplotlib", "numpy")
+
+import matplotlib  # noqa: E402
+import numpy as np  # noqa: E402
 import stability  # noqa: E402
 
 matplotlib.use("Agg")

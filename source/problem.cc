@@ -191,7 +191,7 @@ void Problem<dim>::heat()
     part = Part::loads;
     record(0., last);
   } else if (outcome.code == ExitCode::success)
-    outcome = failure("no convergence", "no stable state beyond " + std::to_string(state.theta) +
+    outcome = failure("no convergence", "no stable state beyond " + as_text(state.theta) +
                                             " K while heating: " + last_failure);
 }
 

@@ -8,12 +8,38 @@
 namespace thelma
 {
 
+/// Whether any electrode answers to the voltage or charge of @p stage.
+template <int dim>
+bool Problem<dim>::drives_an_electrode(const Stage& stage) const
+{
+  const auto is_connected = [&](const Electrode& electrode) {
+    return !electrode.floats ||
+           std::any_of(loading.stages().begin(), loading.stages().end(), [&](const Stage& other) {
+             return other.kind == Stage::Kind::connect && other.electrode == electrode.name;
+           });
+  };
+  const auto answers = [&](const Electrode& electrode) {
+    return stage.kind == Stage::Kind::charge
+               ? electrode.charge_multiple != 0.
+               : electrode.voltage_multiple != 0. && is_connected(electrode);
+  };
+  return std::any_of(conditions.electrodes().begin(), conditions.electrodes().end(), answers);
+}
+
 template <int dim>
 void Problem<dim>::check_stages() const
 {
   const std::string place = "section Loading, entry 'Stages'";
   for (const Stage& stage : loading.stages())
-    if (!stage.is_ramp())
+    if (stage.is_electric() && layout.has(Field::potential)) {
+      if (stage.level != 0. && !drives_an_electrode(stage))
+        throw InputError(
+            stage.kind == Stage::Kind::charge
+                ? "section Electrodes, entry 'Floating': no electrode gets a part of the charge; "
+                  "write `NAME: 1`"
+                : "section Electrodes, entry 'Potential': no electrode gets a part of the voltage; "
+                  "give one a multiple other than 0, or make all regions passive");
+    } else if (!stage.is_ramp())
       conditions.electrode(stage.electrode, place);
     else if (stage.kind == Stage::Kind::force && !dead_loads.exist())
       throw InputError(place + ": 'force' has nothing to act with; name it in section Loads, entry "
@@ -29,10 +55,9 @@ void Problem<dim>::apply_loads()
 {
   for (; n_stages < loading.stages().size(); ++n_stages) {
     const Stage& stage = loading.stages()[n_stages];
-    const bool is_electric = stage.kind != Stage::Kind::move && stage.kind != Stage::Kind::force &&
-                             stage.kind != Stage::Kind::pressure;
+    const bool needs_field = stage.is_electric() || !stage.is_ramp();
     if (!resumes && (outcome.code != ExitCode::success || outcome.pull_in ||
-                     (is_electric && !layout.has(Field::potential))))
+                     (needs_field && !layout.has(Field::potential))))
       break;
     if (!stage.is_ramp())
       change_electrode(stage);
@@ -89,9 +114,9 @@ void Problem<dim>::ramp(const Stage& stage)
       set_uniform_temperature(theta);
   };
   // From rest, reversing the load reverses the potential.
-  const bool is_electric = stage.kind == Stage::Kind::voltage || stage.kind == Stage::Kind::charge;
   const bool at_rest = levels.voltage == 0. && levels.charge == 0. && first_load == 0.;
-  const LoadSymmetry symmetry = at_rest && is_electric ? LoadSymmetry::voltage : LoadSymmetry::none;
+  const LoadSymmetry symmetry =
+      at_rest && stage.is_electric() ? LoadSymmetry::voltage : LoadSymmetry::none;
   if (!resumes) {
     state.start();
     stepper.start(loading.resolution());
@@ -143,6 +168,7 @@ void Problem<dim>::show_floating_voltage()
 }
 
 #define INSTANTIATE(dim)                                                                           \
+  template bool Problem<dim>::drives_an_electrode(const Stage&) const;                             \
   template void Problem<dim>::check_stages() const;                                                \
   template void Problem<dim>::apply_loads();                                                       \
   template void Problem<dim>::show_floating_voltage();

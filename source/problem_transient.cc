@@ -43,9 +43,9 @@ void Problem<dim>::evolve()
     transient.cut_back();
     predictor.adapt(std::numeric_limits<double>::infinity());
     if (transient.exhausted()) {
-      outcome = failure("no convergence", "no stable state beyond " +
-                                              std::to_string(state.accepted_load()) +
-                                              " s: " + last_failure);
+      outcome =
+          failure("no convergence", "no stable state beyond " + as_text(state.accepted_load()) +
+                                        " s: " + last_failure);
       results.set_event("no convergence");
       return;
     }

@@ -78,6 +78,7 @@ private:
   void heat();
   void set_uniform_temperature(double value);
   void check_stages() const;
+  bool drives_an_electrode(const Stage& stage) const;
   void apply_loads();
   void change_electrode(const Stage& stage);
   bool begin_ramp(const Stage& stage);

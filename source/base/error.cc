@@ -49,6 +49,13 @@ InputError::InputError(const std::vector<std::string>& sentences)
 {
 }
 
+std::string as_text(const double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
 std::vector<std::string> InputError::sentences() const
 {
   std::vector<std::string> result;

@@ -107,7 +107,9 @@ ParameterFile::ParameterFile(std::string file, const std::vector<Override>& over
 {
   std::ifstream stream(path);
   std::stringstream content;
-  if (!stream || std::filesystem::is_directory(path) || !(content << stream.rdbuf()))
+  std::error_code ignored;
+  if (!stream || std::filesystem::is_directory(path) ||
+      !(content << stream.rdbuf() || std::filesystem::is_empty(path, ignored)))
     throw InputError(path + ": cannot read this parameter file; give the path of an existing .prm");
   statements = Statements(content.str());
   for (const Override& change : overrides)

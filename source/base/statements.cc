@@ -2,6 +2,8 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
+#include <cctype>
 #include <sstream>
 
 namespace thelma
@@ -17,6 +19,14 @@ std::string cleaned(const std::string& line)
   for (std::string word; words >> word;)
     result += (result.empty() ? "" : " ") + word;
   return result;
+}
+
+/// For the case that someone takes another file for a parameter file.
+std::string printable(std::string text)
+{
+  const auto is_control = [](const unsigned char c) { return std::iscntrl(c) != 0; };
+  std::replace_if(text.begin(), text.end(), is_control, '?');
+  return text;
 }
 
 /// What follows @p keyword, if the line begins with it.
@@ -80,7 +90,7 @@ void Statements::add(const unsigned int number, const std::string& line)
     else
       entries.push_back({number, path, entry, dealii::Utilities::trim(rest.substr(equals + 1))});
   } else
-    problems.push_back({number, "cannot read '" + line.substr(0, 80) +
+    problems.push_back({number, "cannot read '" + printable(line.substr(0, 80)) +
                                     "'; write `subsection Name`, `set Entry = value` or `end`"});
 }
 

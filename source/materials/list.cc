@@ -98,8 +98,7 @@ void MaterialLibrary::check(const double theta) const
     const auto require_positive = [&, &name = name](const std::string& what, const double value) {
       if (!(value > 0.))
         throw InputError("section Materials/" + name + ", entry '" + what + "': the value is " +
-                         std::to_string(value) + " at " + std::to_string(theta) +
-                         " K but must be positive");
+                         as_text(value) + " at " + as_text(theta) + " K but must be positive");
     };
     require_positive("Shear modulus", entry.material->shear_modulus(theta));
     require_positive("Bulk modulus", entry.material->thermal.K);

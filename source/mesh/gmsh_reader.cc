@@ -26,16 +26,17 @@ struct Gmsh {
   Gmsh(const Gmsh&) = delete;
   Gmsh& operator=(const Gmsh&) = delete;
 
-  /// Errors that gmsh only logged, joined.
+  /// Errors that gmsh only logged, joined; the first three, the others mostly follow from them.
   static std::string errors()
   {
     std::vector<std::string> log;
     gmsh::logger::get(log);
     std::string result;
+    unsigned int n_errors = 0;
     for (const std::string& line : log)
-      if (line.rfind("Error", 0) == 0)
+      if (line.rfind("Error", 0) == 0 && ++n_errors <= 3)
         result += (result.empty() ? "" : "; ") + line.substr(line.find(':') + 2);
-    return result;
+    return result + (n_errors > 3 ? "; and " + std::to_string(n_errors - 3) + " more" : "");
   }
 };
 
@@ -152,7 +153,7 @@ void drop_unused_vertices(CoarseMesh& mesh, const int dim)
 CoarseMesh read_gmsh(const std::string& file, const std::map<std::string, double>& parameters,
                      const unsigned int refinements, const int dim)
 {
-  if (!std::filesystem::exists(file))
+  if (!std::filesystem::is_regular_file(file))
     throw InputError("section Mesh, entry 'File': there is no file '" + file +
                      "'; give a path from the working directory or from the parameter file");
   const Gmsh gmsh_session;

@@ -50,6 +50,9 @@ void Mesh<dim>::declare(dealii::ParameterHandler& prm)
 template <int dim>
 void Mesh<dim>::read(const std::string& folder)
 {
+  if (file.empty())
+    throw InputError("section Mesh, entry 'File': it is empty or missing; write `set File = "
+                     "NAME.geo`");
   WholeMesh<dim> whole;
   on_rank_0(communicator(), [&]() {
     whole = WholeMesh<dim>(read_gmsh(path(folder), parameters, refinements, dim));

@@ -98,7 +98,7 @@ private:
         heights.end() - std::lower_bound(heights.begin(), heights.end(), position - tolerance);
     if (count < 2)
       throw InputError("section Observables/" + name + ", entry 'Section': no nodes at X3 = " +
-                       std::to_string(position) + " mm; choose a section that the mesh has");
+                       as_text(position) + " mm; choose a section that the mesh has");
     const auto same = [&](const double a, const double b) { return b - a < tolerance; };
     heights.erase(std::unique(heights.begin(), heights.end(), same), heights.end());
     n_sections = heights.size();

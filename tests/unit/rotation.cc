@@ -41,7 +41,7 @@ void roll_up(TestScene<3>& scene, const double load)
   const double curvature = 0.25 * load * load;
   const auto& points = scene.layout.scalar_element().get_unit_support_points();
   for (const Cell<3>& cell : scene.layout.cells())
-    for (unsigned int a = 0; a < points.size(); ++a) {
+    for (std::size_t a = 0; a < points.size(); ++a) {
       const dealii::Point<3> X =
           dealii::MappingQ1<3>().transform_unit_to_real_cell(cell.iterator, points[a]);
       const double angle = curvature * X[2], x = X[0] - 0.5;

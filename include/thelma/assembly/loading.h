@@ -18,6 +18,7 @@ struct Stage {
   Kind kind;
   double level = 0.;     ///< of a quantity, at the end
   std::string electrode; ///< that changes
+  bool is_electric() const { return kind == Kind::voltage || kind == Kind::charge; }
   bool is_ramp() const { return kind != Kind::connect && kind != Kind::disconnect; }
 };
 

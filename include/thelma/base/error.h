@@ -39,6 +39,9 @@ public:
   using InputError::InputError;
 };
 
+/// @p value as a sentence has it, with at most six digits: `293`, `-0.5`, `1e-09`.
+std::string as_text(double value);
+
 /// `a, b, c`, the tail of every "known ones are" sentence.
 std::string comma_separated(const std::vector<std::string>& words);
 
