@@ -6,6 +6,7 @@
 #include <thelma/base/version.h>
 #include <thelma/elements/formulation.h>
 #include <thelma/output/observables.h>
+#include <thelma/solvers/linear_solver.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -24,7 +25,7 @@ void print_lists(std::ostream& out)
   out << "elastic laws:          " << comma_separated(elastic_law_names()) << "\n"
       << "dielectric laws:       " << comma_separated(dielectric_law_names()) << "\n"
       << "element formulations:  " << comma_separated(formulations<3>().names()) << "\n"
-      << "linear solvers:        MUMPS (LDL^T, or LU with a temperature field)\n"
+      << "linear solvers:        " << comma_separated(linear_solvers().names()) << "\n"
       << "observables:           " << comma_separated(observables<3>().names()) << "\n";
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iomanip>
 #include <limits>
 #include <sstream>
 
@@ -151,7 +150,7 @@ Outcome Problem<dim>::run()
     heat();
   if (outcome.code == ExitCode::success && part != Part::time)
     apply_loads();
-  if (outcome.code == ExitCode::success && layout.is_transient())
+  if (outcome.has_reached_target() && layout.is_transient())
     evolve();
   outcome.effort.add(path_following.effort());
   outcome.failed_steps += path_following.failures();

@@ -4,6 +4,7 @@
 #include <thelma/problem.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace thelma
 {
@@ -26,6 +27,21 @@ bool Problem<dim>::drives_an_electrode(const Stage& stage) const
   return std::any_of(conditions.electrodes().begin(), conditions.electrodes().end(), answers);
 }
 
+/// A connected electrode keeps its potential, so that the voltage becomes what it has.
+template <int dim>
+void Problem<dim>::check_change(const Stage& stage, const std::string& place) const
+{
+  const Electrode& electrode = conditions.electrode(stage.electrode, place);
+  if (stage.kind != Stage::Kind::connect)
+    return;
+  if (electrode.voltage_multiple == 0.)
+    throw InputError(place + ": the ground electrode '" + stage.electrode +
+                     "' cannot be connected; connect one whose multiple of the voltage is not 0");
+  if (loading.voltage(1.) == 0.)
+    throw InputError(place + ": 'connect " + stage.electrode +
+                     "' needs a voltage to go on with; choose the Control voltage or e");
+}
+
 template <int dim>
 void Problem<dim>::check_stages() const
 {
@@ -40,7 +56,7 @@ void Problem<dim>::check_stages() const
                 : "section Electrodes, entry 'Potential': no electrode gets a part of the voltage; "
                   "give one a multiple other than 0, or make all regions passive");
     } else if (!stage.is_ramp())
-      conditions.electrode(stage.electrode, place);
+      check_change(stage, place);
     else if (stage.kind == Stage::Kind::force && !dead_loads.exist())
       throw InputError(place + ": 'force' has nothing to act with; name it in section Loads, entry "
                                "'Force'");
@@ -55,14 +71,16 @@ void Problem<dim>::apply_loads()
 {
   for (; n_stages < loading.stages().size(); ++n_stages) {
     const Stage& stage = loading.stages()[n_stages];
-    const bool needs_field = stage.is_electric() || !stage.is_ramp();
-    if (!resumes && (outcome.code != ExitCode::success || outcome.pull_in ||
-                     (needs_field && !layout.has(Field::potential))))
-      break;
+    if (!resumes && !outcome.has_reached_target())
+      return;
     if (!stage.is_ramp())
       change_electrode(stage);
-    else
+    else if (!stage.is_electric() || layout.has(Field::potential))
       ramp(stage);
+  }
+  if (outcome.has_reached_target() && loading.expects_pull_in() && !layout.is_transient()) {
+    outcome = failure("target reached", "the target was reached but a pull-in was expected");
+    outcome.code = ExitCode::expectation_failed;
   }
 }
 
@@ -119,7 +137,8 @@ void Problem<dim>::ramp(const Stage& stage)
       at_rest && stage.is_electric() ? LoadSymmetry::voltage : LoadSymmetry::none;
   if (!resumes) {
     state.start();
-    stepper.start(loading.resolution());
+    const double change = stage.kind == Stage::Kind::voltage ? present.to - present.from : 1.;
+    stepper.start(loading.resolution() / std::abs(change));
     leave_rest(prescribe);
   }
   const bool finished = !on_arc && follow(stepper, symmetry, prescribe,
@@ -134,9 +153,6 @@ void Problem<dim>::ramp(const Stage& stage)
   if (!finished) {
     prescribe(state.accepted_load());
     explain_end(stepper);
-  } else if (loading.expects_pull_in() && !layout.is_transient()) {
-    outcome = failure("target reached", "the target was reached but a pull-in was expected");
-    outcome.code = ExitCode::expectation_failed;
   }
 }
 
@@ -169,6 +185,7 @@ void Problem<dim>::show_floating_voltage()
 
 #define INSTANTIATE(dim)                                                                           \
   template bool Problem<dim>::drives_an_electrode(const Stage&) const;                             \
+  template void Problem<dim>::check_change(const Stage&, const std::string&) const;                \
   template void Problem<dim>::check_stages() const;                                                \
   template void Problem<dim>::apply_loads();                                                       \
   template void Problem<dim>::show_floating_voltage();

@@ -56,7 +56,7 @@ template <int dim>
 void Problem<dim>::record(const double load, const NewtonReport& report)
 {
   const long long unstable = unstable_directions(report);
-  if (layout.is_transient() && transient.is_monolithic())
+  if (layout.is_transient() && transient.is_monolithic() && !state.rates)
     transient.heated_system().residual(); // for the reactions
   show_floating_voltage();
   results.add(scene(),

@@ -2,12 +2,9 @@
 #include <thelma/base/parameters.h>
 #include <thelma/transient.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <limits>
 #include <sstream>
 
 namespace thelma
@@ -127,7 +124,7 @@ bool Transient<dim>::accept()
   const std::size_t known = state.path().size();
   const unsigned int used = std::min<std::size_t>(stepper.order(), known - 1);
   if (!stepper.accept(used > 0 ? error(used) : 0., used)) {
-    state.restore();
+    restore();
     return false;
   }
   state.accept(state.time);
@@ -157,8 +154,17 @@ double Transient<dim>::error(const unsigned int order) const
 template <int dim>
 void Transient<dim>::cut_back()
 {
-  state.restore();
+  restore();
   stepper.cut_back();
+}
+
+/// The newest accepted state with its own time and voltage, which fields and checkpoints tell.
+template <int dim>
+void Transient<dim>::restore()
+{
+  state.restore();
+  state.time = state.accepted_load();
+  state.voltage = voltage_at(state.time);
 }
 
 template <int dim>

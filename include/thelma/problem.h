@@ -79,6 +79,7 @@ private:
   void set_uniform_temperature(double value);
   void check_stages() const;
   bool drives_an_electrode(const Stage& stage) const;
+  void check_change(const Stage& stage, const std::string& place) const;
   void apply_loads();
   void change_electrode(const Stage& stage);
   bool begin_ramp(const Stage& stage);

@@ -70,6 +70,7 @@ public:
 
 private:
   void prescribe(double time);
+  void restore();
   double voltage_at(double time) const { return voltage * (*voltage_amplitude)(time); }
   std::vector<double> times() const;
   double error(unsigned int order) const;

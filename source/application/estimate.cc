@@ -16,10 +16,16 @@ namespace
 /// Columns that a finer mesh does not make more exact.
 bool is_bookkeeping(const std::string& column)
 {
-  static const std::vector<std::string> names{"step",    "load",
-                                              "e",       "voltage_kV",
-                                              "theta_K", "unstable_directions",
-                                              "seconds", "newton_iterations"};
+  static const std::vector<std::string> names{"step",
+                                              "load",
+                                              "time_s",
+                                              "e",
+                                              "voltage_kV",
+                                              "theta_K",
+                                              "unstable_directions",
+                                              "newton_iterations",
+                                              "linear_iterations",
+                                              "seconds"};
   return std::find(names.begin(), names.end(), column) != names.end();
 }
 

@@ -4,6 +4,7 @@
 #include <thelma/base/error.h>
 #include <thelma/base/stop_signal.h>
 #include <thelma/base/timings.h>
+#include <thelma/output/curve.h>
 #include <thelma/output/run_report.h>
 
 #include <deal.II/base/exceptions.h>
@@ -142,7 +143,7 @@ void Study::find_unfinished()
     }
     if (is_unfinished[c])
       for (const char* file : {"/run.json", "/log.txt"})
-        std::filesystem::remove(cases[c].folder + file);
+        remove_file(cases[c].folder + file);
   }
   dealii::Utilities::MPI::max(is_unfinished, world, is_unfinished);
   for (std::size_t c = 0; c < cases.size(); ++c)
@@ -171,6 +172,8 @@ void Study::run_case(const Case& one) const
   std::ofstream log;
   if (is_leader)
     log.open(one.folder + "/log.txt");
+  if (is_leader && !log)
+    throw WriteError("cannot write '" + one.folder + "/log.txt'; make room");
   Outcome failure;
   try {
     run_scene(group, one.file, one.folder, log, Begin::resumed_if_same,

@@ -101,10 +101,11 @@ void FloatingElectrodes<dim>::add(const std::size_t index, const Cell<dim>& cell
 }
 
 template <int dim>
-void FloatingElectrodes<dim>::finish(LinearSolver& solver)
+LinearReport FloatingElectrodes<dim>::finish(LinearSolver& solver)
 {
+  LinearReport report{true, ""};
   if (floating.empty())
-    return;
+    return report;
   const auto owned = layout.dof_handler().locally_owned_dofs();
   dealii::Utilities::MPI::sum(capacitance, layout.communicator(), capacitance);
   for (std::size_t k = 0; k < floating.size(); ++k)
@@ -116,7 +117,10 @@ void FloatingElectrodes<dim>::finish(LinearSolver& solver)
   responses = columns;
   for (std::size_t k = 0; k < floating.size(); ++k) {
     responses[k] *= -1.;
-    solver.solve(responses[k]);
+    const LinearReport response = solver.solve(responses[k]);
+    if (!response.solved)
+      return response;
+    report.iterations += response.iterations;
     conditions.constraints().set_zero(responses[k]);
     for (std::size_t l = 0; l < floating.size(); ++l)
       capacitance(l, k) += rows[l] * responses[k];
@@ -124,6 +128,7 @@ void FloatingElectrodes<dim>::finish(LinearSolver& solver)
       if (owned.is_element(dof))
         responses[k](dof) = 1.;
   }
+  return report;
 }
 
 template <int dim>

@@ -144,19 +144,16 @@ ResidualReport System<dim>::residual()
   raw_residual -= loads;
   clear_given(raw_residual);
 
-  const BlockVector residual = free_residual();
+  ResidualReport report{0., dealii::Utilities::MPI::min(min_det_F, layout.communicator())};
   // Pressures answer to a temperature, which does not answer to them.
-  double norm =
-      solved == Solved::temperature
-          ? 0.
-          : std::sqrt(dealii::Utilities::MPI::sum(internal_error, layout.communicator()) / volume);
+  if (solved != Solved::temperature)
+    report.include(
+        std::sqrt(dealii::Utilities::MPI::sum(internal_error, layout.communicator()) / volume));
+  const BlockVector residual = free_residual();
   for (unsigned int b = 0; b < residual.n_blocks(); ++b)
-    norm = std::max(norm, residual.block(b).l2_norm() / scale(b));
-  norm = std::max(norm, charge_error());
-  min_det_F = dealii::Utilities::MPI::min(min_det_F, layout.communicator());
-  if (std::isnan(norm))
-    norm = std::numeric_limits<double>::infinity();
-  return {norm, min_det_F};
+    report.include(residual.block(b).l2_norm() / scale(b));
+  include_charges(report);
+  return report;
 }
 
 template <int dim>
@@ -225,7 +222,7 @@ LinearReport System<dim>::linear_solve(const bool reuse)
   recover_internal(nodal_correction, internal_correction);
   report.solved = solution.solved;
   report.reason = solution.reason;
-  report.iterations = solution.iterations;
+  report.iterations += solution.iterations;
   return report;
 }
 
@@ -243,20 +240,18 @@ LinearReport System<dim>::solve_tangent(BlockVector& vector, const std::vector<d
   return report;
 }
 
-/// Largest error of the charge of a floating electrode in units of the scaled residual.
+/// Errors of the charges of floating electrodes in units of the scaled residual.
 template <int dim>
-double System<dim>::charge_error() const
+void System<dim>::include_charges(ResidualReport& report) const
 {
   const std::vector<double> charges = floating.charges(state.charge),
                             reactions = floating.sums(raw_residual);
-  double largest = 0.;
   std::size_t k = 0;
   for (std::size_t e = 0; e < conditions.electrodes().size(); ++e)
     if (conditions.electrodes()[e].floats) {
-      largest = std::max(largest, std::abs(reactions[k] + charges[k]) / charge_scales[e]);
+      report.include(std::abs(reactions[k] + charges[k]) / charge_scales[e]);
       ++k;
     }
-  return largest;
 }
 
 template <int dim>

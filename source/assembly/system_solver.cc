@@ -83,10 +83,14 @@ LinearReport System<dim>::prepare_solver()
       is_symmetric() ? layout.fields().size() : layout.block(Field::temperature);
   LinearReport report = solver->prepare(
       {matrix.matrix(), pressures.get(), corner_grids.get(), is_solved, n_symmetric});
-  if (report.solved) {
-    floating.finish(*solver);
+  if (!report.solved)
+    return report;
+  const LinearReport responses = floating.finish(*solver);
+  report.solved = responses.solved;
+  report.reason = responses.reason;
+  report.iterations += responses.iterations;
+  if (report.solved)
     report.negative_pivots += floating.negative_pivots();
-  }
   return report;
 }
 

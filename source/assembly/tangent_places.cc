@@ -3,7 +3,6 @@
 #include <thelma/assembly/stored_row.h>
 #include <thelma/assembly/tangent_matrix.h>
 
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/block_sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
 

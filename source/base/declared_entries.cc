@@ -2,7 +2,6 @@
 
 #include <boost/property_tree/xml_parser.hpp>
 
-#include <cctype>
 #include <sstream>
 
 namespace thelma

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <iomanip>
-#include <limits>
 #include <regex>
 #include <sstream>
 

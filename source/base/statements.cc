@@ -63,6 +63,9 @@ Statements::Statements(const std::string& text)
     if (!line.empty())
       add(first, line);
   }
+  if (!begun.empty())
+    problems.push_back({first, "the last line ends in `\\`, so that something is missing; remove "
+                               "it or write the rest"});
   for (const OpenedSection& section : open)
     problems.push_back({section.line, "the subsection '" + section.path.back() +
                                           "' is not closed; write `end` after its last entry"});

@@ -7,7 +7,7 @@ namespace thelma
 template <int dim>
 const NamedList<Formulation<dim>>& formulations()
 {
-  static const NamedList<Formulation<dim>> list("element formulation",
+  static const NamedList<Formulation<dim>> list("unknown element formulation",
                                                 {{"selective reduced", make_selective_reduced<dim>},
                                                  {"mean dilatation", make_mean_dilatation<dim>},
                                                  {"enhanced strain", make_enhanced_strain<dim>},

@@ -148,9 +148,6 @@ void FieldLayout<dim>::number_blockwise()
 template <int dim>
 void FieldLayout<dim>::collect_cells(const Mesh<dim>& mesh, const MaterialLibrary& materials)
 {
-  for (const std::string& region : mesh.regions())
-    materials.of_region(region); // every rank complains about a missing material
-
   const BlockVector example = new_vector();
   const auto& indices_of_blocks = example.get_block_indices();
   std::vector<dealii::types::global_dof_index> indices;

@@ -1,5 +1,6 @@
 #include <thelma/base/error.h>
 #include <thelma/output/checkpoints.h>
+#include <thelma/output/curve.h>
 
 #include <array>
 #include <cstring>
@@ -119,7 +120,7 @@ bool Checkpoints::exist() const
 void Checkpoints::remove() const
 {
   for (const std::string& file : {name(0), name(1), folder + "/checkpoint.part"})
-    std::filesystem::remove(file);
+    remove_file(file);
 }
 
 } // namespace thelma

@@ -33,6 +33,15 @@ void write_file(const std::string& file, const std::string& content)
   }
 }
 
+void remove_file(const std::string& file)
+{
+  std::error_code error;
+  std::filesystem::remove(file, error);
+  if (error)
+    throw WriteError("cannot remove '" + file + "' (" + error.message() +
+                     "); choose another --output folder");
+}
+
 void Curve::add(const std::vector<double>& values)
 {
   rows.push_back({values, ""});

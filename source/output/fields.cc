@@ -24,10 +24,7 @@ template <int dim>
 class PointQuantities final : public dealii::DataPostprocessor<dim>
 {
 public:
-  explicit PointQuantities(const Scene<dim>& scene, const MaterialLibrary& materials)
-      : scene(scene), materials(materials)
-  {
-  }
+  explicit PointQuantities(const Scene<dim>& scene) : scene(scene) {}
 
   std::vector<std::string> get_names() const override
   {
@@ -57,7 +54,7 @@ public:
                              std::vector<dealii::Vector<double>>& output) const override
   {
     const auto& cell = input.template get_cell<dim>();
-    const Material& material = materials.of_region(scene.mesh.region_of(cell));
+    const Material& material = scene.materials.of_region(scene.mesh.region_of(cell));
     for (std::size_t q = 0; q < output.size(); ++q) {
       const PointState<> state = point(input, q);
       const Kinematics<> kin(state.F);
@@ -95,7 +92,6 @@ private:
   }
 
   const Scene<dim>& scene;
-  const MaterialLibrary& materials;
 };
 
 /// Names and kinds of the solution's own components.
@@ -134,7 +130,7 @@ void FieldWriter<dim>::write(const Scene<dim>& scene, const std::string& folder,
   std::vector<std::string> names;
   std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation> kinds;
   describe(scene.layout, names, kinds);
-  const PointQuantities<dim> quantities(scene, scene.materials);
+  const PointQuantities<dim> quantities(scene);
   BlockVector x = scene.state.x;
   scene.layout.complete(x);
   VtuFiles<dim> out;

@@ -124,7 +124,7 @@ void Results<dim>::start(const std::string& parameters, const Outcome& outcome, 
 {
   on_rank_0(comm, [&]() {
     create_folder(folder);
-    std::filesystem::remove(folder + "/run.json"); // the report of an earlier run
+    remove_file(folder + "/run.json"); // the report of an earlier run
     if (!continued)
       checkpoints.remove();
     write_file(folder + "/used.prm", parameters);

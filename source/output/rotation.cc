@@ -1,10 +1,8 @@
-#include <thelma/base/axes.h>
 #include <thelma/base/error.h>
 #include <thelma/base/quantity.h>
 #include <thelma/output/observables.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/fe/mapping_q1.h>
 
 #include <algorithm>
 #include <cmath>

@@ -46,15 +46,15 @@ void write_run_report(const Outcome& outcome, const std::string& scene, const st
                         {"build", build_type},
                         {"deal.II", DEAL_II_PACKAGE_VERSION},
                         {"compiler", __VERSION__}};
-  write_file(file, report.dump(2) + "\n");
+  // A path need not be UTF-8.
+  write_file(file, report.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
-std::optional<Outcome> read_run_report(const std::string& file)
+namespace
 {
-  std::ifstream stream(file);
-  if (!stream)
-    return std::nullopt;
-  const ordered_json report = ordered_json::parse(stream);
+
+Outcome outcome_of(const ordered_json& report)
+{
   // JSON has no number for what is not finite; it is written as null.
   const auto number = [](const ordered_json& value) {
     return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
@@ -72,6 +72,20 @@ std::optional<Outcome> read_run_report(const std::string& file)
   for (const auto& [name, value] : report.at("final_values").items())
     outcome.final_values.emplace_back(name, number(value));
   return outcome;
+}
+
+} // namespace
+
+std::optional<Outcome> read_run_report(const std::string& file)
+{
+  std::ifstream stream(file);
+  if (!stream)
+    return std::nullopt;
+  try {
+    return outcome_of(ordered_json::parse(stream));
+  } catch (const ordered_json::exception&) {
+    return std::nullopt;
+  }
 }
 
 } // namespace thelma

@@ -92,6 +92,9 @@ public:
     const std::string place = "section Observables/" + columns().front();
     low.setup(scene, from, place + ", entry 'From'", direction);
     high.setup(scene, to, place + ", entry 'To'", direction);
+    if (!(high.position > low.position))
+      throw InputError(place + ", entry 'To': '" + to + "' does not lie above '" + from +
+                       "'; name surfaces with material between them");
   }
 
   std::vector<std::string> columns() const override

@@ -25,7 +25,7 @@ Plane PathMetric::across(const Displacement& u, const double load) const
 ResidualReport BorderedSystem::residual()
 {
   ResidualReport report = system.residual();
-  report.norm = std::max(report.norm, std::abs(plane.excess(system)));
+  report.include(std::abs(plane.excess(system)));
   return report;
 }
 

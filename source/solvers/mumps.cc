@@ -5,7 +5,7 @@
 #include <Epetra_CrsMatrix.h>
 
 #include <cstdint>
-#include <numeric>
+#include <exception>
 
 namespace thelma
 {
@@ -67,7 +67,9 @@ Mumps::Mumps(const MPI_Comm comm, const bool symmetric, const Ordering ordering)
 
 Mumps::~Mumps()
 {
-  run(finalise);
+  // An exception may have hit this rank alone, and the others would never come here.
+  if (std::uncaught_exceptions() == 0)
+    run(finalise);
 }
 
 void Mumps::run(const int job)

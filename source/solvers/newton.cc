@@ -55,7 +55,7 @@ NewtonReport Newton::solve(NonlinearSystem& system, bool reuse) const
   report.residuals.push_back(residual.norm);
   report.min_det_F = residual.min_det_F;
   if (!residual.admissible())
-    return fail("det F <= 0 at the predicted state");
+    return fail(residual.defect() + " at the predicted state");
 
   while (!report.converged) {
     if (report.iterations == max_iterations)
@@ -72,7 +72,7 @@ NewtonReport Newton::solve(NonlinearSystem& system, bool reuse) const
     double step = 1.;
     for (;; step /= 2.) {
       if (step < smallest_step)
-        return fail("no step along the correction keeps det F > 0");
+        return fail(residual.defect() + " however short the step along the correction");
       system.move_to(step);
       residual = system.residual();
       if (residual.admissible())

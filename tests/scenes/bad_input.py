@@ -146,6 +146,10 @@ CASES = [
      ["Potential", "voltage", "multiple"]),
     ("charge without a floating electrode", ["--set", "Loading/Control=charge", "--set",
                                              "Loading/Target=1 nC"], ["Floating", "charge"]),
+    ("ground electrode connected", ["--set", "Loading/Stages=voltage 1, disconnect bottom, "
+                                    "connect bottom"], ["'bottom'", "ground", "connect"]),
+    ("stretch between one surface", ["--set", "Observables/lambda_3/To=bottom"],
+     ["lambda_3", "'bottom'", "between"]),
     ("unreadable force", ["--set", "Loads/Force=top: 1 0", "--set", "Loading/Stages=force 1"],
      ["Force", "'1 0'", "3 components"]),
     ("force on an unknown surface", ["--set", "Loads/Force=x9: 1 0 0"], ["'x9'", "x1_min"]),

@@ -98,7 +98,7 @@ class Documents(unittest.TestCase):
         self.assertEqual(report.solved([row_3d, packaged, gathered], "bending", 0.475), [row_3d])
 
     def test_no_peer(self):
-        with mock.patch.object(peer, "PYTHON", "/bin/false"):
+        with mock.patch.object(peer.interpreter, "SYSTEM", "/bin/false"):
             with self.assertRaisesRegex(AccuracyError, "needs FEniCSx"):
                 peer.require()
 

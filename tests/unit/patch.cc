@@ -117,6 +117,33 @@ TEST_P(Patch, HomogeneousStateInSpace)
   EXPECT_LT(e, 1e-9);
 }
 
+/// No element may take a state that its law has no stress for as solved.
+TEST_P(Patch, GentsLimitIsNotPassed)
+{
+  TestScene<3> scene(scene_text(GetParam(), "set File = meshes/box.geo", "film: elastomer",
+                                "bottom: u1 u2 u3", "bottom: 0") +
+                     "subsection Materials\n subsection elastomer\n set Elastic law = Gent\n"
+                     " set Gent limit = 0.3\n end\nend\n");
+  const auto& points = scene.layout.scalar_element().get_unit_support_points();
+  const auto stretch_by = [&](const double lambda) {
+    const dealii::Tensor<1, 3> stretches({1. / std::sqrt(lambda), 1. / std::sqrt(lambda), lambda});
+    for (const Cell<3>& cell : scene.layout.cells())
+      for (std::size_t a = 0; a < points.size(); ++a)
+        for (int i = 0; i < 3; ++i)
+          scene.state.x(cell.dofs[a * cell.n_components + i]) =
+              (stretches[i] - 1.) *
+              dealii::MappingQ1<3>().transform_unit_to_real_cell(cell.iterator, points[a])[i];
+    scene.state.x.zero_out_ghost_values();
+    scene.state.x.update_ghost_values();
+  };
+  stretch_by(1.2); // I_1 - 3 = 0.11
+  EXPECT_TRUE(scene.system.residual().admissible());
+  stretch_by(1.5); // 0.58
+  const ResidualReport report = scene.system.residual();
+  EXPECT_GT(report.min_det_F, 0.);
+  EXPECT_FALSE(report.admissible());
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Formulations, Patch,
     testing::Values(Element{"standard", 1}, Element{"standard", 2}, Element{"selective reduced", 1},

@@ -30,7 +30,7 @@ struct CellPlaces {
     unsigned short first, length, block;
   };
   struct Row {
-    short pattern; ///< or absent
+    short pattern; ///< or no_pattern
     short block;
     bool own;
   };

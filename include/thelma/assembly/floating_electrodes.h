@@ -36,7 +36,7 @@ public:
   /// Begin a new assembly, add the tangent of the own cell @p index, and end it.
   void clear();
   void add(std::size_t index, const Cell<dim>& cell, const std::vector<double>& entries);
-  void finish(LinearSolver& solver);
+  LinearReport finish(LinearSolver& solver);
 
   /// Whether the border is that of the electrodes that float now.
   bool is_current() const { return floating == now_floating(); }

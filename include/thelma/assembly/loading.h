@@ -55,7 +55,7 @@ public:
   double charge(double level) const { return level * target_charge; }   ///< uC
   double field(double voltage) const { return voltage * field_per_voltage; }
 
-  /// Width of the bracket around a pull-in, as a load factor.
+  /// Width of the bracket around a pull-in, as a part of the target.
   double resolution() const
   {
     return target_voltage > 0. ? bracket / field(target_voltage) : bracket;

@@ -133,7 +133,7 @@ private:
   void recover_internal(BlockVector& dx, std::vector<double>& values) const;
 
   double orientation(BlockVector& mode) const;
-  double charge_error() const;
+  void include_charges(ResidualReport& report) const;
 
   /// Replace minus a nodal residual by the correction that belongs to it; the charges of floating
   /// electrodes lack @p charges.

@@ -12,15 +12,14 @@ namespace thelma
 {
 
 /// What a .prm can choose by name: each name with a factory. The lists are written out in one
-/// visible place each (`*/list.cc`); an unknown name is answered with the known ones.
+/// visible place each (`*list.cc`); an unknown name is answered with the known ones.
 template <typename Base>
 class NamedList
 {
 public:
   using Factory = std::function<std::unique_ptr<Base>()>;
 
-  /// @p kind is what the things are called in messages and where they are chosen, e.g.
-  /// "section Output: unknown observable".
+  /// @p kind begins the sentence about an unknown name, e.g. "unknown observable".
   NamedList(std::string kind, std::vector<std::pair<std::string, Factory>> entries)
       : kind(std::move(kind)), entries(std::move(entries))
   {

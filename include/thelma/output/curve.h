@@ -56,4 +56,7 @@ void create_folder(const std::string& folder);
 /// Throws WriteError if there is no room.
 void write_file(const std::string& file, const std::string& content);
 
+/// Remove @p file if it is there. Throws WriteError if it cannot be removed.
+void remove_file(const std::string& file);
+
 } // namespace thelma

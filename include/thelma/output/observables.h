@@ -40,7 +40,8 @@ public:
   /// Column names with their unit, such as `charge_uC`.
   virtual std::vector<std::string> columns() const = 0;
 
-  /// Once per accepted step, in order, so that angles can be followed past a full turn.
+  /// In the present state. What depends on earlier steps too (`ledger`) is asked once per accepted
+  /// step, in order.
   virtual std::vector<double> evaluate(const Scene<dim>& scene) = 0;
 
   /// All that evaluate() remembers of earlier steps, for a checkpoint, and back.

@@ -14,7 +14,8 @@
 namespace thelma
 {
 
-/// Two fields e between which the stable branch ends.
+/// Two fields e between which the stable branch ends; the same one where a path found its limit
+/// point.
 struct Bracket {
   double e_below, e_above;
   double e_estimated; ///< vertex of the parabola through the last three states
@@ -28,9 +29,11 @@ struct Bracket {
 
 /// How a run ended and what it cost.
 struct Outcome {
+  static constexpr const char* target_reached = "target reached";
+
   ExitCode code = ExitCode::success;
-  std::string name = "target reached"; ///< or `pull-in`, `instability`, `no convergence`, ...
-  std::string reason;                  ///< a sentence
+  std::string name = target_reached; ///< or `pull-in`, `instability`, `no convergence`, ...
+  std::string reason;                ///< a sentence
   std::optional<Bracket> pull_in;
 
   unsigned int steps = 0, failed_steps = 0, ranks = 1;
@@ -43,6 +46,9 @@ struct Outcome {
   double halo = 0.; ///< most unknowns a rank needs of others, over the mean of its own
   std::vector<std::string> modelled;
   std::vector<std::pair<std::string, double>> final_values; ///< newest row of the curve
+
+  /// Whether nothing has ended the run before its target.
+  bool has_reached_target() const { return code == ExitCode::success && name == target_reached; }
 
   /// Whether the same run would end alike: not after it was stopped, nor after an error that the
   /// input or the program can lose while the parameters stay the same.

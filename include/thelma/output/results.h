@@ -83,7 +83,7 @@ public:
   /// What @p column of an observable is in the present state.
   double value(const Scene<dim>& scene, const std::string& column);
 
-  /// Write an eigenvector of the tangent as `mode_0.vtu`, ...
+  /// Write an eigenvector of the tangent as `mode_0.pvtu`, ...
   void add_mode(const Scene<dim>& scene, const BlockVector& mode)
   {
     fields.write_mode(scene, folder, mode);

@@ -4,6 +4,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,17 @@ struct ResidualReport {
   double norm;      ///< largest of the fields' scaled norms
   double min_det_F; ///< over every quadrature point of every rank
   bool admissible() const { return min_det_F > 0. && norm < 1e300; }
+
+  /// The norm is the largest of its parts, and infinite if one of them is not a number, as where a
+  /// law has no stress.
+  void include(const double part)
+  {
+    if (!(part <= norm))
+      norm = std::isnan(part) ? std::numeric_limits<double>::infinity() : part;
+  }
+
+  /// Why it is not admissible.
+  std::string defect() const { return min_det_F > 0. ? "no finite stress" : "det F <= 0"; }
 };
 
 /// What Newton's method needs to know of a nonlinear system.

@@ -33,7 +33,6 @@ public:
 
   bool finished() const { return time >= end; }
   bool exhausted() const { return size < 1e-9 * end; }
-  double accepted() const { return time; }
   double step() const { return size; }
   double final_time() const { return end; }
 

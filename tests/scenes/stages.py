@@ -1,0 +1,88 @@
+"""Loads one after the other: each is applied, whatever came before, and the voltage that follows
+others finds its pull-in.
+
+    stages.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
+"""
+
+import json
+import math
+import tempfile
+from pathlib import Path
+
+from scipy.optimize import fsolve, minimize_scalar
+
+from scene import program_and_ranks, require, validated
+import planar_exact
+
+STRESS = 0.4 / 5.0  # MPa, of the film's weight on its face
+BRACKET = 1e-4  # the default
+
+
+def weighted(lambda_3, material):
+    """(lambda_1, lambda_2, e) of the film under its weight, with the energy of dead_loads.py
+    stationary at this lambda_3; neo-Hookean, homogeneous."""
+    mu, K = material.mu(293), material.K
+
+    def forces(state):
+        l_1, l_2, square = state  # e^2
+        pressure = K * math.log(l_1 * l_2 * lambda_3) / mu - 1
+        maxwell = square * l_1 * l_2 / lambda_3 / 2
+        return (l_1**2 + pressure - maxwell - STRESS / mu * l_1,
+                l_2**2 + pressure - maxwell, lambda_3**2 + pressure + maxwell)
+
+    l_1, l_2, square = fsolve(forces, (1.8, 0.8, 0.1), xtol=1e-13)
+    return l_1, l_2, math.sqrt(max(square, 0.0))
+
+
+def settings(entries):
+    """Options of the program."""
+    return [word for entry in entries.items() for word in ("--set", "=".join(entry))]
+
+
+def check_pull_in(program, folder, ranks):
+    """After the weight; its bracket is as wide as the file wants, also where the stage goes further
+    than the target."""
+    material = planar_exact.Material()
+    exact = -minimize_scalar(lambda l_3: -weighted(l_3, material)[2], bounds=(0.4, 0.72),
+                             method="bounded", options={"xatol": 1e-8}).fun
+    program.run("verification/dead_load", folder, ranks=ranks, *settings(
+        {"Loading/Target": "0.5", "Loading/Stages": "force 1, voltage 3",
+         "Loading/Expected end": "pull-in"}))
+    pull_in = json.loads((folder / "run.json").read_text(encoding="utf8"))["pull_in"]
+    below, above = pull_in["e_below"], pull_in["e_above"]
+    print(f"{ranks} rank(s): pull-in under the weight between e = {below:.6f} and {above:.6f}, "
+          f"exact {exact:.6f}")
+    validated("dead_load", "pull-in e", "exact, homogeneous", (below + above) / 2 / exact - 1)
+    require(below - 1e-6 < exact < above + 1e-6, "the pull-in is not the exact one")
+    require(above - below < 1.01 * BRACKET, f"the bracket is {above - below} wide")
+
+
+def check_weight_of_passive_film(program, folder):
+    """A voltage that has nothing to act on leaves the force behind it alone."""
+    curve = program.run("verification/dead_load", folder, *settings(
+        {"Regions/Passive": "film", "Electrodes/Potential": "",
+         "Loading/Stages": "voltage 1, force 1"})).curve("lambda_1")
+    require(curve["lambda_1"][-1] > 1.5, "the film is not stretched")
+
+
+def check_return_of_snapped_film(program, folder):
+    """Limit points that a path has passed end nothing."""
+    curve = program.run("hard/snap_through", folder, *settings(
+        {"Materials/elastomer/Gent limit": "8", "Loading/Target": "0.75", "Loading/Until": "",
+         "Loading/Stages": "voltage 1, voltage 0.5"})).curve("e", "event")
+    require("limit point" in list(curve["event"]), "the film has not snapped")
+    require(abs(curve["e"][-1] - 0.375) < 1e-9, f"the second stage ends at e = {curve['e'][-1]}")
+
+
+def main():
+    """On every number of ranks."""
+    program, all_ranks = program_and_ranks(__doc__)
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for ranks in all_ranks:
+            check_pull_in(program, folder / f"pull_in_{ranks}", ranks)
+        check_weight_of_passive_film(program, folder / "passive")
+        check_return_of_snapped_film(program, folder / "return")
+
+
+main()
