@@ -14,10 +14,7 @@ template <int dim>
 bool Problem<dim>::drives_an_electrode(const Stage& stage) const
 {
   const auto is_connected = [&](const Electrode& electrode) {
-    return !electrode.floats ||
-           std::any_of(loading.stages().begin(), loading.stages().end(), [&](const Stage& other) {
-             return other.kind == Stage::Kind::connect && other.electrode == electrode.name;
-           });
+    return !electrode.floats || loading.has_stage(Stage::Kind::connect, electrode.name);
   };
   const auto answers = [&](const Electrode& electrode) {
     return stage.kind == Stage::Kind::charge
@@ -40,6 +37,12 @@ void Problem<dim>::check_change(const Stage& stage, const std::string& place) co
   if (loading.voltage(1.) == 0.)
     throw InputError(place + ": 'connect " + stage.electrode +
                      "' needs a voltage to go on with; choose the Control voltage or e");
+  for (const Electrode& other : conditions.electrodes())
+    if (other.name != stage.electrode && other.voltage_multiple != 0. && !other.floats &&
+        !loading.has_stage(Stage::Kind::disconnect, other.name))
+      throw InputError(place + ": 'connect " + stage.electrode +
+                       "' makes its potential that of the voltage, and '" + other.name +
+                       "' would jump to it; disconnect '" + other.name + "' before");
 }
 
 template <int dim>

@@ -86,6 +86,20 @@ CommandLine restarted(const std::string& folder)
   return line;
 }
 
+void require_consistent(const CommandLine& line)
+{
+  using Action = CommandLine::Action;
+  const bool needs_file = line.action == Action::run || line.action == Action::check;
+  if (needs_file && line.file.empty())
+    throw InputError("command line: no parameter file; write thelma FILE.prm or see thelma --help");
+  if (line.estimates && !line.sweeps.empty())
+    throw InputError("command line: --estimate is for a single run; leave out --sweep, or sweep "
+                     "over Mesh/Refinements");
+  if (line.ranks_per_case > 1 && line.sweeps.empty())
+    throw InputError("command line: --ranks-per-case is for a study; leave it out, a single run "
+                     "shares all ranks, or add --sweep");
+}
+
 } // namespace
 
 CommandLine CommandLine::parse(const std::vector<std::string>& given)
@@ -136,15 +150,7 @@ CommandLine CommandLine::parse(const std::vector<std::string>& given)
     else
       line.file = word;
   }
-  const bool needs_file = line.action == Action::run || line.action == Action::check;
-  if (needs_file && line.file.empty())
-    throw InputError("command line: no parameter file; write thelma FILE.prm or see thelma --help");
-  if (line.estimates && !line.sweeps.empty())
-    throw InputError("command line: --estimate is for a single run; leave out --sweep, or sweep "
-                     "over Mesh/Refinements");
-  if (line.ranks_per_case > 1 && line.sweeps.empty())
-    throw InputError("command line: --ranks-per-case is for a study; leave it out, a single run "
-                     "shares all ranks, or add --sweep");
+  require_consistent(line);
   if (line.output.empty())
     line.output = "output/" + std::filesystem::path(line.file).stem().string();
   return line;

@@ -3,6 +3,7 @@
 #include <thelma/base/parameters.h>
 #include <thelma/base/quantity.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -110,6 +111,13 @@ void Loading::read_stages()
                        "number, or connect or disconnect with an electrode");
     stage_list.push_back(stage);
   }
+}
+
+bool Loading::has_stage(const Stage::Kind kind, const std::string& electrode) const
+{
+  return std::any_of(stage_list.begin(), stage_list.end(), [&](const Stage& stage) {
+    return stage.kind == kind && stage.electrode == electrode;
+  });
 }
 
 std::string Loading::between(const Stage::Kind kind, const double low, const double high) const

@@ -3,8 +3,10 @@
 Usage: bad_input.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
 """
 
+import itertools
 import subprocess
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from scene import program_and_ranks, require
@@ -27,6 +29,14 @@ Physical Surface("x1_max") = b1[3];
 Physical Surface("x1_min") = b1[5];
 """
 TWO_BODIES = BOX.format(1, 0) + BOX.format(100, 20) + SIDES + """Physical Volume("loose") = b100[1];
+"""
+TWO_FILMS = BOX.format(1, 0) + BOX.format(100, 20) + """
+Physical Volume("film") = {b1[1], b100[1]};
+Physical Surface("bottom") = {a1[1], a100[1]};
+Physical Surface("top") = b1[0];
+Physical Surface("other") = b100[0];
+Physical Surface("x2_min") = {b1[2], b100[2]};
+Physical Surface("x1_min") = {b1[5], b100[5]};
 """
 STRAY = BOX.format(1, 0) + SIDES + """Point(100) = {20, 0, 0};
 Point(101) = {21, 0, 0};
@@ -148,6 +158,11 @@ CASES = [
                                              "Loading/Target=1 nC"], ["Floating", "charge"]),
     ("ground electrode connected", ["--set", "Loading/Stages=voltage 1, disconnect bottom, "
                                     "connect bottom"], ["'bottom'", "ground", "connect"]),
+    ("connected beside another", ["--set", "Loading/Stages=voltage 1, disconnect top, connect top",
+                                  "--set", "Electrodes/Potential=bottom: 0, top: 1, other: 1",
+                                  "--set", "Mesh/File={folder}/two_films.geo",
+                                  "--set", "Mesh/Parameters="],
+     ["connect top", "'other' would jump"]),
     ("stretch between one surface", ["--set", "Observables/lambda_3/To=bottom"],
      ["lambda_3", "'bottom'", "between"]),
     ("unreadable force", ["--set", "Loads/Force=top: 1 0", "--set", "Loading/Stages=force 1"],
@@ -213,27 +228,38 @@ def check_several(program, folder, all_ranks):
             require(any(place in line and words in line for line in lines), f"no {place} {words}")
 
 
+def check_cases(program, folder, all_ranks):
+    """Every case on every number of ranks; two at a time, since mpirun mostly waits."""
+    def answer(run):
+        (_, options, _), ranks = run
+        arguments = ["nothing.prm"] if options is None else [
+            "prm/planar_actuator.prm", "--output", f"{folder}/out",
+            *[option.format(folder=folder) for option in options]]
+        return complaint(program, arguments, ranks)
+
+    runs = list(itertools.product(CASES, all_ranks))
+    with ThreadPoolExecutor(2) as pool:
+        answers = list(pool.map(answer, runs))
+    for ((name, _, words), ranks), (code, text) in zip(runs, answers):
+        lines = sentences(text)
+        print(f"{name} ({ranks}): {text.strip()}")
+        require(code == 1, f"{name} on {ranks} ranks: exit code {code}, not 1")
+        require(len(lines) == 1, f"{name} on {ranks} ranks: {len(lines)} lines, not one")
+        for word in words:
+            require(word in lines[0], f"{name} on {ranks} ranks: no word of {word}")
+
+
 def main():
     program, all_ranks = program_and_ranks(__doc__)
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "tetrahedra.geo").write_text(TETRAHEDRA)
         (Path(folder) / "broken.geo").write_text("Point(1) = {0, 0\n")
         (Path(folder) / "two_bodies.geo").write_text(TWO_BODIES)
+        (Path(folder) / "two_films.geo").write_text(TWO_FILMS)
         (Path(folder) / "bow_tie.geo").write_text(BOW_TIE)
         (Path(folder) / "stray.geo").write_text(STRAY)
         check_several(program, Path(folder), all_ranks)
-        for name, options, words in CASES:
-            arguments = ["nothing.prm"] if options is None else [
-                "prm/planar_actuator.prm", "--output", f"{folder}/out",
-                *[option.format(folder=folder) for option in options]]
-            for ranks in all_ranks:
-                code, text = complaint(program, arguments, ranks)
-                lines = sentences(text)
-                print(f"{name} ({ranks}): {text.strip()}")
-                require(code == 1, f"{name} on {ranks} ranks: exit code {code}, not 1")
-                require(len(lines) == 1, f"{name} on {ranks} ranks: {len(lines)} lines, not one")
-                for word in words:
-                    require(word in lines[0], f"{name} on {ranks} ranks: no word of {word}")
+        check_cases(program, folder, all_ranks)
 
 
 main()

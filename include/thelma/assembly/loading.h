@@ -63,6 +63,9 @@ public:
 
   const std::vector<Stage>& stages() const { return stage_list; }
 
+  /// Whether a stage of this kind changes this electrode.
+  bool has_stage(Stage::Kind kind, const std::string& electrode) const;
+
   /// Column of the curve at whose value the path ends, if there is one.
   const std::map<std::string, double>& until() const { return until_values; }
 
