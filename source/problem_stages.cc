@@ -29,6 +29,9 @@ template <int dim>
 void Problem<dim>::check_change(const Stage& stage, const std::string& place) const
 {
   const Electrode& electrode = conditions.electrode(stage.electrode, place);
+  if (stage.kind == Stage::Kind::disconnect && electrode.touches)
+    throw InputError(place + ": 'disconnect " + stage.electrode +
+                     "' has no effect, as it touches another electrode; leave a gap");
   if (stage.kind != Stage::Kind::connect)
     return;
   if (electrode.voltage_multiple == 0.)
@@ -51,6 +54,9 @@ void Problem<dim>::check_stages() const
   const std::string place = "section Loading, entry 'Stages'";
   for (const Stage& stage : loading.stages())
     if (stage.is_electric() && layout.has(Field::potential)) {
+      if (stage.kind == Stage::Kind::voltage && loading.voltage(1.) == 0.)
+        throw InputError(place + ": 'voltage' has no target where the Control is charge; write "
+                                 "'charge', or choose the Control voltage or e");
       if (stage.level != 0. && !drives_an_electrode(stage))
         throw InputError(
             stage.kind == Stage::Kind::charge

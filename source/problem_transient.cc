@@ -24,6 +24,7 @@ void Problem<dim>::evolve()
   if (!std::exchange(resumes, false))
     transient.start();
   transient.heated_system().set_loads(system);
+  const double full = loading.voltage(1.); // 0 where a charge is the load
   while (!transient.finished()) {
     if (stops())
       return;
@@ -33,7 +34,7 @@ void Problem<dim>::evolve()
       const double surprise = predictor.surprise();
       if (transient.accept()) {
         predictor.adapt(surprise);
-        record(state.voltage / loading.voltage(1.), report);
+        record(full != 0. ? state.voltage / full : 1., report);
       } else
         ++outcome.failed_steps;
       continue;

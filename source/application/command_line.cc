@@ -76,7 +76,8 @@ Sweep parse_sweep(const std::string& text)
 /// What was started into @p folder once, from where it was started.
 CommandLine restarted(const std::string& folder)
 {
-  const std::string there = std::filesystem::absolute(folder).string();
+  std::error_code invalid; // then there is no such folder
+  const std::string there = std::filesystem::absolute(folder, invalid).string();
   const RunCommand command = RunCommand::read(there);
   std::error_code gone; // then the files named from there are complained about
   std::filesystem::current_path(command.directory, gone);

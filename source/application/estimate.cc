@@ -1,6 +1,7 @@
 #include <thelma/application/estimate.h>
 #include <thelma/application/run_command.h>
 #include <thelma/application/simulation.h>
+#include <thelma/output/checkpoints.h>
 #include <thelma/output/curve.h>
 
 #include <algorithm>
@@ -84,15 +85,21 @@ Outcome run_with_estimate(const MPI_Comm comm, const CommandLine& line, std::ost
     prm.add_parameter("Degree", degree);
   });
   const bool was_finished = first.earlier_end().has_value();
+  const std::string finer = first.folder + "/finer";
+  if (!was_finished) // whatever is there belongs to another run
+    on_rank_0(comm, [&]() {
+      Checkpoints(finer).remove();
+      remove_file(finer + "/run.json");
+    });
   Outcome given = first.run(comm, console);
   if (given.code == ExitCode::not_converged || given.code == ExitCode::stopped)
     return given;
 
   SingleRun second = first;
   second.overrides.push_back({{"Mesh"}, "Refinements", std::to_string(refinements + 1)});
-  second.folder += "/finer";
+  second.folder = finer;
   second.arguments = arguments_for(second.file, second.overrides);
-  second.restarts = was_finished; // whatever else is there belongs to another run
+  second.restarts = was_finished;
   console << "\n";
   Outcome check = second.run(comm, console);
   if (check.code == ExitCode::stopped)

@@ -107,11 +107,11 @@ Study::~Study()
 ExitCode Study::run()
 {
   const Stopwatch stopwatch;
-  find_unfinished();
-  if (this_mpi_process(world) == 0 && unfinished.size() < cases.size())
-    std::cout << folder << ": " << cases.size() - unfinished.size() << " of " << cases.size()
-              << " cases are finished already" << std::endl;
   try {
+    find_unfinished();
+    if (this_mpi_process(world) == 0 && unfinished.size() < cases.size())
+      std::cout << folder << ": " << cases.size() - unfinished.size() << " of " << cases.size()
+                << " cases are finished already" << std::endl;
     for (const Case* one : unfinished)
       if (claim(*one)) {
         run_case(*one);

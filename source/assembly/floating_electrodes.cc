@@ -10,8 +10,9 @@ namespace thelma
 {
 
 template <int dim>
-void FloatingElectrodes<dim>::setup()
+void FloatingElectrodes<dim>::setup(const bool potential_is_solved)
 {
+  is_solved = potential_is_solved;
   std::map<dealii::types::global_dof_index, std::size_t> electrode_of;
   for (std::size_t k = 0; k < conditions.electrodes().size(); ++k)
     for (const auto dof : conditions.electrodes()[k].dofs)
@@ -32,7 +33,7 @@ std::vector<double> FloatingElectrodes<dim>::charges(const double applied) const
 {
   std::vector<double> result;
   for (const Electrode& electrode : conditions.electrodes())
-    if (electrode.floats)
+    if (is_solved && electrode.floats)
       result.push_back(electrode.charge_multiple * applied + electrode.kept_charge);
   return result;
 }
@@ -42,7 +43,7 @@ std::vector<double> FloatingElectrodes<dim>::sums(const BlockVector& x) const
 {
   std::vector<double> own;
   for (const Electrode& electrode : conditions.electrodes())
-    if (electrode.floats)
+    if (is_solved && electrode.floats)
       own.push_back(electrode.own_sum(x));
   std::vector<double> all(own.size());
   if (!own.empty())
@@ -55,7 +56,7 @@ std::vector<std::size_t> FloatingElectrodes<dim>::now_floating() const
 {
   std::vector<std::size_t> result;
   for (std::size_t k = 0; k < conditions.electrodes().size(); ++k)
-    if (conditions.electrodes()[k].floats)
+    if (is_solved && conditions.electrodes()[k].floats)
       result.push_back(k);
   return result;
 }

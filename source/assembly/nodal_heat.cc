@@ -28,7 +28,7 @@ void NodalHeat<dim>::declare(dealii::ParameterHandler& prm)
       "Coefficient h of the heat loss h (theta - theta_inf) of surfaces, as `outer: 0.02`.",
       Quantity("mW/(mm^2 K)"));
   add_quantity(prm, "Surroundings", surroundings,
-               "Temperature theta_inf around the surfaces with convection.", Quantity("K"));
+               "Temperature theta_inf around the surfaces with convection.", Quantity("K", 1.));
   add_quantity(prm, "Source", sources, "Heat source R of regions.", Quantity("mW/mm^3"));
 }
 
@@ -38,7 +38,7 @@ void NodalHeat<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout
 {
   exists = layout.has(Field::temperature);
   if (!exists) {
-    if (!fluxes.empty() || !convections.empty() || !sources.empty())
+    if (!fluxes.empty() || !convections.empty() || !surroundings.empty() || !sources.empty())
       throw InputError("section Heat: there is no temperature field that heat could change; choose "
                        "Model = steady or transient in the section Temperature");
     return;

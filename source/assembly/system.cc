@@ -55,7 +55,7 @@ void System<dim>::setup()
                [is_solved](const Cell<dim>& cell, const unsigned int c, const unsigned int d) {
                  return is_solved(cell, c) && is_solved(cell, d);
                });
-  floating.setup();
+  floating.setup(solved != Solved::temperature);
   state.internal.resize(layout.cells().size() * formulation->n_internal());
   start_internal();
   internal_residual.assign(state.internal.size(), 0.);
@@ -246,12 +246,12 @@ void System<dim>::include_charges(ResidualReport& report) const
 {
   const std::vector<double> charges = floating.charges(state.charge),
                             reactions = floating.sums(raw_residual);
-  std::size_t k = 0;
-  for (std::size_t e = 0; e < conditions.electrodes().size(); ++e)
-    if (conditions.electrodes()[e].floats) {
-      report.include(std::abs(reactions[k] + charges[k]) / charge_scales[e]);
-      ++k;
-    }
+  std::size_t e = 0;
+  for (std::size_t k = 0; k < charges.size(); ++k, ++e) {
+    while (!conditions.electrodes()[e].floats)
+      ++e;
+    report.include(std::abs(reactions[k] + charges[k]) / charge_scales[e]);
+  }
 }
 
 template <int dim>

@@ -87,7 +87,12 @@ Override Override::parse(const std::string& text)
   if (equals == std::string::npos || equals == 0)
     throw InputError("command line: '" + text + "' is not of the form Section/Entry=value");
   Override result;
-  result.value = dealii::Utilities::trim(text.substr(equals + 1));
+  result.value =
+      dealii::Utilities::trim(std::regex_replace(text.substr(equals + 1), std::regex("\\s+"), " "));
+  if (result.value.find('#') != std::string::npos)
+    throw InputError("command line: '" + text +
+                     "' has a '#', which begins a comment in parameter "
+                     "files; write it without");
   result.sections = dealii::Utilities::split_string_list(text.substr(0, equals), '/');
   result.entry = result.sections.back();
   result.sections.pop_back();
@@ -199,7 +204,10 @@ std::string ParameterFile::located(const std::string& sentence) const
 std::string located(const std::string& file, const std::string& folder)
 {
   const std::filesystem::path there = std::filesystem::path(folder) / file;
-  return !std::filesystem::exists(file) && std::filesystem::exists(there) ? there.string() : file;
+  std::error_code too_long;
+  return !std::filesystem::exists(file, too_long) && std::filesystem::exists(there, too_long)
+             ? there.string()
+             : file;
 }
 
 Section::Section(dealii::ParameterHandler& prm, const std::vector<std::string>& path)

@@ -33,7 +33,7 @@ std::string printable(std::string text)
 bool begins_with(const std::string& line, const std::string& keyword, std::string& rest)
 {
   const std::string first = line.substr(0, keyword.size());
-  const bool ends = line.size() == keyword.size() || line[keyword.size()] == ' ';
+  const bool ends = line.size() <= keyword.size() || line[keyword.size()] == ' ';
   std::string upper;
   for (const char c : keyword)
     upper += static_cast<char>(c - 'a' + 'A');

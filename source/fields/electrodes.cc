@@ -7,6 +7,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <set>
 
 namespace thelma
 {
@@ -70,17 +71,24 @@ void Electrodes<dim>::add(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
   if (dofs.empty())
     throw InputError(place + ": surface '" + electrode.name +
                      "' touches only regions without electric field");
-  electrode.dofs.assign(dofs.begin(), dofs.end());
-  for (const Electrode& other : list) {
+  std::set<dealii::types::global_dof_index> own(dofs.begin(), dofs.end());
+  for (Electrode& other : list) {
     const bool alike =
         !electrode.floats && !other.floats && electrode.voltage_multiple == other.voltage_multiple;
-    const bool touches = std::any_of(other.dofs.begin(), other.dofs.end(),
-                                     [&](const auto dof) { return dofs.count(dof) > 0; });
+    bool touches = false;
+    for (const auto dof : other.dofs)
+      touches |= own.erase(dof) > 0; // a charge belongs to one of the two
+    if (touches)
+      electrode.touches = other.touches = true;
     if (touches && !alike)
       throw InputError(place + ": electrode '" + electrode.name + "' touches '" + other.name +
                        "', which has another potential: a short circuit; give both the same, or "
                        "leave a gap");
   }
+  if (own.empty())
+    throw InputError(place + ": electrode '" + electrode.name +
+                     "' lies within others of the same potential; leave it out");
+  electrode.dofs.assign(own.begin(), own.end());
   list.push_back(std::move(electrode));
 }
 

@@ -15,8 +15,8 @@ namespace
 struct Gmsh {
   Gmsh()
   {
-    gmsh::initialize();
-    gmsh::onelab::clear(); // what an earlier file was told outlives finalize()
+    gmsh::initialize(0, nullptr, false); // without the user's own settings
+    gmsh::onelab::clear();               // what an earlier file was told outlives finalize()
     gmsh::option::setNumber("General.Terminal", 0);
     gmsh::option::setNumber("General.NumThreads", 1);
     gmsh::option::setNumber("General.AbortOnError", 0); // errors are read from the log
@@ -153,7 +153,8 @@ void drop_unused_vertices(CoarseMesh& mesh, const int dim)
 CoarseMesh read_gmsh(const std::string& file, const std::map<std::string, double>& parameters,
                      const unsigned int refinements, const int dim)
 {
-  if (!std::filesystem::is_regular_file(file))
+  std::error_code unreachable;
+  if (!std::filesystem::is_regular_file(file, unreachable))
     throw InputError("section Mesh, entry 'File': there is no file '" + file +
                      "'; give a path from the working directory or from the parameter file");
   const Gmsh gmsh_session;

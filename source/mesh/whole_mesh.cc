@@ -227,8 +227,21 @@ std::uint32_t WholeMesh<dim>::fingerprint() const
   boost::crc_32_type sum;
   for (const dealii::Point<dim>& vertex : vertices)
     sum.process_bytes(&vertex[0], dim * sizeof(double));
-  for (const dealii::CellData<dim>& cell : cells)
+  for (const dealii::CellData<dim>& cell : cells) {
     sum.process_bytes(cell.vertices.data(), cell.vertices.size() * sizeof(unsigned int));
+    sum.process_bytes(&cell.material_id, sizeof(cell.material_id));
+  }
+  const auto add_name = [&](const std::string& name) {
+    sum.process_bytes(name.data(), name.size());
+  };
+  std::for_each(known.regions.begin(), known.regions.end(), add_name);
+  for (const auto& [name, places] : known.surfaces) {
+    add_name(name);
+    for (const auto& place : places) {
+      sum.process_bytes(&place.cell, sizeof(place.cell));
+      sum.process_byte(place.vertices);
+    }
+  }
   return sum.checksum();
 }
 

@@ -172,7 +172,8 @@ void FieldWriter<dim>::write_mode(const Scene<dim>& scene, const std::string& fo
   scene.layout.complete(mode);
   VtuFiles<dim> out;
   out.add_data_vector(scene.layout.dof_handler(), mode, names, kinds);
-  out.build_patches(scene.layout.degree());
+  out.build_patches(scene.layout.mapping(), scene.layout.degree(),
+                    dealii::DataOut<dim>::curved_inner_cells);
   out.write(folder, "mode_" + std::to_string(n_modes++), scene.layout.communicator());
 }
 

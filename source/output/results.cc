@@ -125,8 +125,11 @@ void Results<dim>::start(const std::string& parameters, const Outcome& outcome, 
   on_rank_0(comm, [&]() {
     create_folder(folder);
     remove_file(folder + "/run.json"); // the report of an earlier run
-    if (!continued)
+    if (!continued) {
       checkpoints.remove();
+      for (const std::string file : {"curve.csv", "fields.pvd", "estimate.csv"})
+        remove_file(folder + "/" + file);
+    }
     write_file(folder + "/used.prm", parameters);
     if (continued && !curve->empty())
       curve->write(folder + "/curve.csv");

@@ -20,8 +20,7 @@ public:
   LinearReport prepare(const Tangent& tangent) override { return mumps->factorise(tangent.matrix); }
   LinearReport solve(dealii::LinearAlgebra::distributed::BlockVector<double>& vector) override
   {
-    mumps->solve(vector);
-    return {true, ""};
+    return mumps->solve(vector);
   }
 
 private:

@@ -23,8 +23,10 @@ void Laplacian::solve(BlockVector& vector)
     vector.block(0) = 0.;
     return;
   }
-  if (factors)
-    return factors->solve(vector);
+  if (factors) {
+    factors->solve(vector);
+    return;
+  }
   BlockMatrix<double>::Vector b = block.vector_of_rows(), x = b;
   b.copy_locally_owned_data_from(vector.block(0));
   dealii::SolverControl control(100, 1e-6 * b.l2_norm());

@@ -148,7 +148,7 @@ void Mumps::collect_layout(const dealii::IndexSet& owned)
 }
 
 template <typename Vector>
-void Mumps::solve(Vector& vector)
+LinearReport Mumps::solve(Vector& vector)
 {
   if (!layout_known)
     collect_layout(vector.locally_owned_elements());
@@ -173,11 +173,13 @@ void Mumps::solve(Vector& vector)
 
   for (std::size_t k = 0; k < own.size(); ++k)
     vector(own_indices[k]) = own[k];
+  const LinearReport report = outcome();
+  return {report.solved, report.reason};
 }
 
 template LinearReport Mumps::factorise(const dealii::TrilinosWrappers::SparseMatrix&);
 template LinearReport Mumps::factorise(const dealii::TrilinosWrappers::BlockSparseMatrix&);
-template void Mumps::solve(dealii::LinearAlgebra::distributed::Vector<double>&);
-template void Mumps::solve(dealii::LinearAlgebra::distributed::BlockVector<double>&);
+template LinearReport Mumps::solve(dealii::LinearAlgebra::distributed::Vector<double>&);
+template LinearReport Mumps::solve(dealii::LinearAlgebra::distributed::BlockVector<double>&);
 
 } // namespace thelma

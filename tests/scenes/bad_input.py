@@ -30,6 +30,14 @@ Physical Surface("x1_min") = b1[5];
 """
 TWO_BODIES = BOX.format(1, 0) + BOX.format(100, 20) + SIDES + """Physical Volume("loose") = b100[1];
 """
+TALL = BOX.format(1, 0) + """l2[] = Extrude {0, 0, 1} { Surface{b1[0]}; Layers{1}; Recombine; };
+Physical Volume("film") = {b1[1], l2[1]};
+Physical Surface("bottom") = a1[1];
+Physical Surface("top") = l2[0];
+Physical Surface("x1_max") = l2[3];
+Physical Surface("x2_min") = {b1[2], l2[2]};
+Physical Surface("x1_min") = {b1[5], l2[5]};
+"""
 TWO_FILMS = BOX.format(1, 0) + BOX.format(100, 20) + """
 Physical Volume("film") = {b1[1], b100[1]};
 Physical Surface("bottom") = {a1[1], a100[1]};
@@ -163,6 +171,18 @@ CASES = [
                                   "--set", "Mesh/File={folder}/two_films.geo",
                                   "--set", "Mesh/Parameters="],
      ["connect top", "'other' would jump"]),
+    ("disconnected but touched", ["--set", "Electrodes/Potential=bottom: 0, top: 1, x1_max: 1",
+                                  "--set", "Mesh/File={folder}/tall.geo",
+                                  "--set", "Mesh/Parameters=",
+                                  "--set", "Loading/Stages=voltage 1, disconnect top"],
+     ["disconnect top", "touches another"]),
+    ("voltage where charge is controlled",
+     ["--set", "Loading/Control=charge", "--set", "Loading/Target=1 nC", "--set",
+      "Electrodes/Potential=bottom: 0", "--set", "Electrodes/Floating=top: 1", "--set",
+      "Loading/Stages=voltage 1"], ["voltage", "no target", "charge"]),
+    ("comment in a value", ["--set", "Mesh/File=a#b.geo"], ["'#'", "comment"]),
+    ("endless file name", ["--set", "Mesh/File=" + 300 * "a"], ["there is no file"]),
+    ("surroundings of nothing", ["--set", "Heat/Surroundings=top: 300"], ["Heat", "Model"]),
     ("stretch between one surface", ["--set", "Observables/lambda_3/To=bottom"],
      ["lambda_3", "'bottom'", "between"]),
     ("unreadable force", ["--set", "Loads/Force=top: 1 0", "--set", "Loading/Stages=force 1"],
@@ -255,6 +275,7 @@ def main():
         (Path(folder) / "tetrahedra.geo").write_text(TETRAHEDRA)
         (Path(folder) / "broken.geo").write_text("Point(1) = {0, 0\n")
         (Path(folder) / "two_bodies.geo").write_text(TWO_BODIES)
+        (Path(folder) / "tall.geo").write_text(TALL)
         (Path(folder) / "two_films.geo").write_text(TWO_FILMS)
         (Path(folder) / "bow_tie.geo").write_text(BOW_TIE)
         (Path(folder) / "stray.geo").write_text(STRAY)

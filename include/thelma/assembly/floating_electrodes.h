@@ -24,8 +24,9 @@ public:
   {
   }
 
-  /// The fields and electrodes must stand.
-  void setup();
+  /// The fields and electrodes must stand. Nothing floats where the potential is not among what is
+  /// solved for.
+  void setup(bool potential_is_solved);
 
   /// Charges in uC of the floating electrodes at @p applied charge.
   std::vector<double> charges(double applied) const;
@@ -55,6 +56,7 @@ private:
 
   const FieldLayout<dim>& layout;
   const BoundaryConditions<dim>& conditions;
+  bool is_solved = true;
   std::vector<std::vector<Touch>> touches; ///< of each own cell
   std::vector<std::size_t> floating;       ///< electrodes in the border
   std::vector<BlockVector> columns, rows, responses;

@@ -14,11 +14,12 @@ namespace thelma
 /// A surface of one potential: a given one, or that which its charge takes.
 struct Electrode {
   std::string name;
-  std::vector<dealii::types::global_dof_index> dofs; ///< of all ranks
+  std::vector<dealii::types::global_dof_index> dofs; ///< of all ranks, and of no other electrode
   double voltage_multiple = 0.;                      ///< of the applied voltage, while it is driven
   double charge_multiple = 0.;                       ///< of the applied charge, while it floats
   double kept_charge = 0.;                           ///< uC beside that
   bool floats = false;
+  bool touches = false; ///< another one, which is driven alike
 
   /// Sum of the entries of @p x that this rank owns; of the reactions it is minus the charge.
   double own_sum(const BlockVector& x) const;

@@ -13,12 +13,6 @@ struct PhysicalGroup {
   std::string name;
   int dimension;
   std::vector<std::vector<unsigned int>> elements;
-
-  template <class Archive>
-  void serialize(Archive& archive, unsigned int)
-  {
-    archive& name& dimension& elements;
-  }
 };
 
 /// What Thelma takes from gmsh: points in mm and named groups of linear cells, faces, lines and
@@ -26,12 +20,6 @@ struct PhysicalGroup {
 struct CoarseMesh {
   std::vector<std::array<double, 3>> vertices;
   std::vector<PhysicalGroup> groups;
-
-  template <class Archive>
-  void serialize(Archive& archive, unsigned int)
-  {
-    archive& vertices& groups;
-  }
 };
 
 /// Mesh the geometry @p file (.geo with @p parameters, or .msh) inside this process, then split

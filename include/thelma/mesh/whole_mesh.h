@@ -46,7 +46,7 @@ struct MeshTable {
   std::vector<Part> parts;                            ///< by the material id of their cells
   std::map<std::string, std::vector<Place>> surfaces; ///< and lines and points, on all their cells
   double worst_shape = 1.; ///< smallest Jacobian at a vertex over the product of the edges there
-  std::uint32_t fingerprint = 0; ///< a checksum of all vertices and cells
+  std::uint32_t fingerprint = 0; ///< a checksum of all vertices, cells, regions and surfaces
 
   template <class Archive>
   void serialize(Archive& archive, unsigned int)

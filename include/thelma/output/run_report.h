@@ -12,7 +12,7 @@ namespace thelma
 void write_run_report(const Outcome& outcome, const std::string& scene, const std::string& file);
 
 /// How the run ended, what it cost and its final values as run.json tells them; nothing if there
-/// is no such file or another version wrote it.
+/// is no such file or it cannot be read.
 std::optional<Outcome> read_run_report(const std::string& file);
 
 } // namespace thelma

@@ -34,7 +34,7 @@ public:
   /// Replace the owned entries of a Vector or BlockVector by the solution with them as right-hand
   /// side.
   template <typename Vector>
-  void solve(Vector& vector);
+  LinearReport solve(Vector& vector);
 
 private:
   template <typename Matrix>
