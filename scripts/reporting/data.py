@@ -22,7 +22,12 @@ class Run:
     @property
     def failed(self):
         """Whether the run did not end as its file expects."""
-        return self.report.get("exit_code", self.case.exit_code) != 0
+        return self.unfinished or self.report.get("exit_code", self.case.exit_code) != 0
+
+    @property
+    def unfinished(self):
+        """Whether it runs or was killed, so that nobody has said how it ended."""
+        return not self.report and not self.case.outcome
 
 
 def load(directory):

@@ -57,8 +57,11 @@ def summary(runs):
         report, pull_in = run.report, run.report.get("pull_in")
         bracket = f"{pull_in['e_below']:.6g} to {pull_in['e_above']:.6g}" if pull_in else ""
         ending = ": ".join(filter(None, (report.get("outcome"), report.get("reason"))))
+        if run.unfinished:
+            rows.append((run.label, "", "unfinished; go on with thelma --restart", "", "", ""))
+            continue
         rows.append((run.label, report.get("exit_code", run.case.exit_code),
-                     ending or run.case.outcome or "no run.json", bracket,
+                     ending or run.case.outcome, bracket,
                      report.get("steps", ""), float(report.get("seconds", 0))))
     failed = sum(run.failed for run in runs)
     words = f"{len(runs)} run{'s' if len(runs) > 1 else ''}, " + (

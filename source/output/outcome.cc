@@ -41,6 +41,10 @@ void Expectations::setup(const std::vector<std::string>& columns, const double t
                        known_ones(column, columns));
     const Formula<1> formula(place + ", " + column, expression, "theta");
     expected[column] = formula(dealii::Point<1>(theta));
+    if (!std::isfinite(expected[column]))
+      throw InputError(place + ", " + column + ": '" + expression + "' is " +
+                       as_text(expected[column]) + " at " + as_text(theta) +
+                       " K; write what is a number there");
   }
 }
 

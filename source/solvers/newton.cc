@@ -14,7 +14,7 @@ void Newton::declare(dealii::ParameterHandler& prm)
   prm.add_parameter("Tolerance", tolerance,
                     "Scaled residual at which a step has converged; dimensionless: residual "
                     "stress over shear modulus.",
-                    Double(1e-14, 1.));
+                    Double(1e-14, 1e-6)); // a coarser state tells nothing of its stability
   prm.add_parameter("Reuse tangent", reuses,
                     "Whether a factorised tangent serves for further iterations while that is "
                     "cheaper than a new one.",
