@@ -9,7 +9,7 @@ from pathlib import Path
 
 from scipy.optimize import fsolve
 
-from scene import largest_error, program_and_ranks, require, validated
+from scene import largest_error, program_and_ranks, require, settings, validated
 import planar_exact
 
 AREA = 5.0  # mm^2 of the film's loaded face
@@ -79,8 +79,7 @@ def check_ledger(program, folder):
                    "Time/Initial step": str(4 / steps), "Time/Tolerance": "0",
                    "Time/Structural heat": "entropy", "Time/Wall amplitude": "sin(pi*t/8)^2",
                    "Output/Observables": "lambda_1, lambda_3, ledger", "Output/Fields": "none"}
-        sets = [word for entry in entries.items() for word in ("--set", "=".join(entry))]
-        curve = program.run("verification/dead_load", folder, *sets).curve(
+        curve = program.run("verification/dead_load", folder, *settings(entries)).curve(
             "ledger_energy_missing_mJ", "ledger_load_work_mJ")
         missing.append(abs(curve["ledger_energy_missing_mJ"][-1]))
         work = curve["ledger_load_work_mJ"][-1]
@@ -98,8 +97,7 @@ def check_couplings(program, folder):
                    "Regions/Passive": "film", "Temperature/Model": "transient",
                    "Temperature/Fixed": "bottom: 353", "Time/End": "0.2", "Time/Initial step": "0.01",
                    "Time/Tolerance": "0", "Time/Coupling": coupling, "Output/Fields": "none"}
-        sets = [word for entry in entries.items() for word in ("--set", "=".join(entry))]
-        curve = program.run("verification/dead_load", folder, *sets).curve("lambda_1")
+        curve = program.run("verification/dead_load", folder, *settings(entries)).curve("lambda_1")
         stretches.append(curve["lambda_1"][-1])
     print(f"warmed for 0.2 s: lambda_1 = {stretches[0]:.6f} staggered, {stretches[1]:.6f} monolithic")
     require(abs(stretches[1] / stretches[0] - 1) < 1e-3, "the couplings differ")

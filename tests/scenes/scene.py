@@ -38,6 +38,11 @@ class Program:
         return study.Case(Path(output))
 
 
+def settings(entries):
+    """The program's options that give these entries their values."""
+    return [word for entry in entries.items() for word in ("--set", "=".join(entry))]
+
+
 def validated(scene, quantity, reference, error):
     """A row of doc/validation.md: what was compared with which reference, and by how much it is
     off: relative, but stretches and e along a path absolute and temperatures in K."""

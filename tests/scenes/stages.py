@@ -4,14 +4,13 @@ others finds its pull-in.
     stages.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
 """
 
-import json
 import math
 import tempfile
 from pathlib import Path
 
 from scipy.optimize import fsolve, minimize_scalar
 
-from scene import program_and_ranks, require, validated
+from scene import program_and_ranks, require, settings, validated
 import planar_exact
 
 STRESS = 0.4 / 5.0  # MPa, of the film's weight on its face
@@ -50,22 +49,15 @@ def weighted(lambda_3, material):
     return l_1, l_2, math.sqrt(max(square, 0.0))
 
 
-def settings(entries):
-    """Options of the program."""
-    return [word for entry in entries.items() for word in ("--set", "=".join(entry))]
-
-
 def check_pull_in(program, folder, ranks):
     """After the weight; its bracket is as wide as the file wants, also where the stage goes further
     than the target."""
     material = planar_exact.Material()
     exact = -minimize_scalar(lambda l_3: -weighted(l_3, material)[2], bounds=(0.4, 0.72),
                              method="bounded", options={"xatol": 1e-8}).fun
-    program.run("verification/dead_load", folder, ranks=ranks, *settings(
+    below, above = program.run("verification/dead_load", folder, ranks=ranks, *settings(
         {"Loading/Target": "0.5", "Loading/Stages": "force 1, voltage 3",
-         "Loading/Expected end": "pull-in"}))
-    pull_in = json.loads((folder / "run.json").read_text(encoding="utf8"))["pull_in"]
-    below, above = pull_in["e_below"], pull_in["e_above"]
+         "Loading/Expected end": "pull-in"})).pull_in()
     print(f"{ranks} rank(s): pull-in under the weight between e = {below:.6f} and {above:.6f}, "
           f"exact {exact:.6f}")
     validated("dead_load", "pull-in e", "exact, homogeneous", (below + above) / 2 / exact - 1)
