@@ -2,7 +2,8 @@
 // hexahedra around the corner (1,1,1), nr of them through the wall. Region: wall. Surfaces: inner,
 // outer, x1_min (x1 = 0), x2_min, x3_min. Points on the x1 axis: inner_end, outer_end.
 DefineConstant[
-  R = {10, Name "R"}, H = {1, Name "H"}, n = {2, Name "n"}, nr = {1, Name "nr"}
+  R = {10, Name "R"}, H = {1, Name "H"}, n = {2, Name "n", Min 1, Max 500, Step 1},
+  nr = {1, Name "nr", Min 1, Max 500, Step 1}
 ];
 Point(100) = {0, 0, 0};
 For s In {0:1}

@@ -3,7 +3,8 @@
 // x1 < g+H/2), active. Curves: inner (x1 = g), interface, outer (x1 = g+H), palm (x3 = 0), x3_max.
 // Points: pin (x1 = g+H/2, x3 = 0) and tip (x1 = g, x3 = L).
 DefineConstant[
-  L = {20, Name "L"}, H = {1, Name "H"}, g = {8, Name "g"}, n1 = {2, Name "n1"}, n3 = {20, Name "n3"}
+  L = {20, Name "L"}, H = {1, Name "H"}, g = {8, Name "g"},
+  n1 = {2, Name "n1", Min 1, Max 500, Step 1}, n3 = {20, Name "n3", Min 1, Max 500, Step 1}
 ];
 Point(1) = {g, 0, 0};
 lower[] = Extrude {H/2, 0, 0} { Point{1}; Layers{n1/2}; };

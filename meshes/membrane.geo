@@ -5,7 +5,8 @@
 // bottom_active, frame, x1_min, x2_min. Points at x3 = 0: edge (the electrode's, on the x1 axis).
 DefineConstant[
   R = {15, Name "R"}, Re = {5, Name "Re"}, h = {0.25, Name "h"},
-  n = {4, Name "n"}, nr = {3, Name "nr"}, nR = {8, Name "nR"}, n3 = {1, Name "n3"},
+  n = {4, Name "n", Min 1, Max 500, Step 1}, nr = {3, Name "nr", Min 1, Max 500, Step 1},
+  nR = {8, Name "nR", Min 1, Max 500, Step 1}, n3 = {1, Name "n3", Min 1, Max 500, Step 1},
   coarser = {1.15, Name "coarser"}
 ];
 a = 0.5 * Re;

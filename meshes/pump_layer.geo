@@ -3,7 +3,9 @@
 // outer (x1 = H), x2_min, x2_max, x3_min, x3_max. Line: centre (x2 = W/2, x3 = L/2).
 DefineConstant[
   L = {20, Name "L"}, W = {4, Name "W"}, H = {1, Name "H"},
-  n1 = {4, Name "n1"}, n2 = {8, Name "n2"}, n3 = {20, Name "n3"}, quarter = {0, Name "quarter"}
+  n1 = {4, Name "n1", Min 1, Max 500, Step 1}, n2 = {8, Name "n2", Min 1, Max 500, Step 1},
+  n3 = {20, Name "n3", Min 1, Max 500, Step 1},
+  quarter = {0, Name "quarter", Min 0, Max 1, Step 1}
 ];
 halves = quarter ? 1 : 2;
 Point(1) = {0, 0, 0};

@@ -60,12 +60,16 @@ class Program:
     def listed_formulations(self):
         """What --list offers."""
         code, text, _ = self.start(["--list"])
-        for line in text.splitlines():
-            name, _, values = line.partition(":")
-            if name == "element formulations":
-                return [value.strip() for value in values.split(",")]
-        raise AccuracyError(f"{self.binary} --list (exit code {code}) names no element "
-                            "formulations.")
+        _, _, rest = text.partition("element formulations")
+        names = []
+        for line in rest.splitlines()[1:]:
+            if not line.startswith("  "):
+                break
+            names.append(line.strip().split("  ")[0])
+        if not names:
+            raise AccuracyError(f"{self.binary} --list (exit code {code}) names no element "
+                                "formulations.")
+        return names
 
     def elements(self, scene="prm/bending_actuator_plane.prm"):
         """Pairs of formulation and degree that the program accepts."""

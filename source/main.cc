@@ -3,6 +3,7 @@
 #include <thelma/application/study.h>
 #include <thelma/base/complaints.h>
 #include <thelma/base/stop_signal.h>
+#include <thelma/base/units.h>
 #include <thelma/base/version.h>
 #include <thelma/elements/formulation.h>
 #include <thelma/output/observables.h>
@@ -10,7 +11,10 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+#include <iomanip>
 #include <iostream>
+#include <new>
 
 /// There if the BLAS happens to be OpenBLAS.
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
@@ -22,23 +26,41 @@ using namespace thelma;
 
 void print_lists(std::ostream& out)
 {
-  out << "elastic laws:          " << comma_separated(elastic_law_names()) << "\n"
-      << "dielectric laws:       " << comma_separated(dielectric_law_names()) << "\n"
-      << "element formulations:  " << comma_separated(formulations<3>().names()) << "\n"
-      << "linear solvers:        " << comma_separated(linear_solvers().names()) << "\n"
-      << "observables:           " << comma_separated(observables<3>().names()) << "\n";
+  const auto print = [&](const std::string& kind, const std::vector<Choice>& choices) {
+    out << kind << "\n";
+    for (const Choice& one : choices)
+      out << "  " << std::left << std::setw(20) << one.name << one.meaning << "\n";
+  };
+  print("elastic laws (section Materials)", elastic_laws());
+  print("dielectric laws (section Materials)", dielectric_laws());
+  print("element formulations (section Discretisation)", formulations<3>().choices());
+  print("linear solvers (section Linear solver)", linear_solvers().choices());
+  print("observables (section Output)", observables<3>().choices());
+  out << "units\n  " << known_units() << "\n";
 }
 
 /// Every case, also after one with problems.
 ExitCode check(const CommandLine& line, std::ostream& out)
 {
   Complaints complaints;
-  std::string verdict;
   for (const Case& one : cases_of(line))
-    complaints.allow([&]() { verdict = check_scene(MPI_COMM_WORLD, one.file); });
+    complaints.allow([&]() {
+      const std::string verdict = check_scene(MPI_COMM_WORLD, one.file);
+      out << line.file << (one.name.empty() ? "" : ", " + one.name) << ": " << verdict << "\n";
+    });
   complaints.raise();
-  out << line.file << ": " << verdict << "\n";
   return ExitCode::success;
+}
+
+/// Of a file that is no parameter file every line is wrong.
+void complain(std::ostream& out, const std::vector<std::string>& sentences)
+{
+  constexpr std::size_t most = 20;
+  for (std::size_t i = 0; i < std::min(most, sentences.size()); ++i)
+    out << "thelma: " << sentences[i] << "\n";
+  if (sentences.size() > most)
+    out << "thelma: and " << sentences.size() - most << " more problems\n";
+  out << std::flush;
 }
 
 ExitCode run(const CommandLine& line, std::ostream& out)
@@ -88,9 +110,11 @@ int main(int argc, char** argv)
     (is_rank_0 ? std::cerr : silence) << "thelma: " << error.what() << std::endl;
     return static_cast<int>(ExitCode::stopped);
   } catch (const InputError& error) {
-    for (const std::string& sentence : error.sentences())
-      (is_rank_0 ? std::cerr : silence) << "thelma: " << sentence << std::endl;
+    complain(is_rank_0 ? std::cerr : silence, error.sentences());
     return static_cast<int>(ExitCode::bad_input);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "thelma: " << out_of_memory << std::endl;
+    MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitCode::bad_input));
   } catch (const dealii::ExceptionBase& error) {
     std::cerr << "thelma: internal error, please report it: ";
     error.print_info(std::cerr);

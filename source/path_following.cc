@@ -23,6 +23,8 @@ void PathFollowing<dim>::declare(dealii::ParameterHandler& prm)
                     "Mean displacement of a surface, line or point, as `top: u3`, that leads along "
                     "the path in place of its arc length. Empty: none.",
                     Map(Anything(), Anything(), 0, 1));
+  check_values(prm, "Controlled displacement",
+               [](const std::string& text) { components_named<dim>(text); });
   prm.add_parameter("Branch", branch,
                     "Which path the continuation takes from the first bifurcation: the old one "
                     "(`none`), or the new one to either side.",
@@ -43,7 +45,7 @@ void PathFollowing<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& la
   const auto& [group, component] = *controlled.begin();
   BlockVector row = layout.new_vector();
   std::size_t n_free = 0;
-  for (const unsigned int c : components_named<dim>(component, place))
+  for (const unsigned int c : components_named<dim>(component))
     for (const auto dof : dofs_on(mesh, layout, group, place, c))
       if (!conditions.constraints().is_constrained(dof)) {
         ++n_free;
@@ -133,19 +135,21 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::solve(const Plane& pla
   spent.add(found.report);
   if (!found.report.converged)
     return {};
-  examine(plane, found);
-  return found;
+  return examine(plane, found) ? Solution(found) : Solution();
 }
 
-/// Near a bifurcation noise hardly shows in the residual: the fresh tangent also corrects once
-/// more, unless it is so near that this itself makes noise.
+/// Whether the tangent has a solution. Near a bifurcation noise hardly shows in the residual: the
+/// fresh tangent also corrects once more, unless it is so near that this itself makes noise.
 template <int dim>
-void PathFollowing<dim>::examine(const Plane& plane, PathState& found)
+bool PathFollowing<dim>::examine(const Plane& plane, PathState& found)
 {
   constexpr double noise = 10.; // more than rounding changes a residual
   BorderedSystem bordered(system, plane);
   const double before = bordered.residual().norm;
-  found.report.negative_pivots = bordered.linear_solve(false).negative_pivots;
+  const LinearReport fresh = bordered.linear_solve(false);
+  found.report.negative_pivots = fresh.negative_pivots;
+  if (!fresh.solved)
+    return false;
   bordered.move_to(1.);
   ResidualReport residual = bordered.residual();
   if (residual.norm > noise * before) {
@@ -162,6 +166,7 @@ void PathFollowing<dim>::examine(const Plane& plane, PathState& found)
   const auto& response = system.response();
   found.slope =
       std::copysign(1. / metric.length(response, 1.), plane.normal * response + plane.load_normal);
+  return true;
 }
 
 template <int dim>

@@ -42,7 +42,7 @@ void Problem<dim>::declare()
         prm, "Value", theta,
         "Uniform temperature; where the temperature is a field, its first guess or initial "
         "value and the temperature at which e is defined.",
-        Quantity("K", 1.));
+        Quantity("K", 1., 1e4));
   }
   nodal_heat.declare(prm);
   dead_loads.declare(prm);
@@ -79,6 +79,8 @@ void Problem<dim>::setup()
   state.start();
 
   outcome.modelled = layout.summary();
+  for (const std::string& line : materials.summary(theta))
+    outcome.modelled.push_back(line);
   outcome.modelled.push_back(loading.description());
   outcome.modelled.push_back(system.solver_description());
   if (layout.is_transient())
@@ -91,8 +93,9 @@ void Problem<dim>::setup()
     outcome.unknowns[field_name(field)] = layout.n_dofs(field);
 }
 
-/// Sets up all that may find fault with the scene. Of a section that could not be read, only that
-/// is said: what is missing there is likely to be what could not be read.
+/// Sets up all that may find fault with the scene. What seems to be missing may only be misspelt,
+/// and what an entry means may hang on a choice beside it: where these could not be read, only that
+/// is said.
 template <int dim>
 void Problem<dim>::find_complaints()
 {
@@ -100,11 +103,16 @@ void Problem<dim>::find_complaints()
   check_and_set_up(found);
   const std::vector<std::string> earlier = complaints.sentences();
   for (const std::string& sentence : found.sentences()) {
-    const std::string section = sentence.substr(0, sentence.find_first_of(",:/"));
-    const std::string guess = "did you mean '" + section.substr(section.find(' ') + 1) + "'";
-    if (std::none_of(earlier.begin(), earlier.end(), [&](const std::string& other) {
-          return other.find(section) != std::string::npos || other.find(guess) != std::string::npos;
-        }))
+    const std::string entry = sentence.substr(0, sentence.find(':')),
+                      section = sentence.substr(0, sentence.find_first_of(",:/")),
+                      guess = "did you mean '" + section.substr(section.find(' ') + 1) + "'";
+    const auto explains = [&](const std::string& other) {
+      const auto has = [&](const std::string& text) {
+        return other.find(text) != std::string::npos;
+      };
+      return has(entry) || has(guess) || (has(section) && (has("unknown ") || has("be one of ")));
+    };
+    if (std::none_of(earlier.begin(), earlier.end(), explains))
       complaints.add(sentence);
   }
 }
@@ -112,21 +120,24 @@ void Problem<dim>::find_complaints()
 template <int dim>
 void Problem<dim>::check_and_set_up(Complaints& found)
 {
+  bool has_loading = false;
   if (found.allow([&]() { materials.check(theta); })) {
     found.allow([&]() { theta_start = materials.reference_temperature(); });
-    found.allow([&]() { loading.setup(materials, theta); });
+    has_loading = found.allow([&]() { loading.setup(materials, theta); });
   }
-  found.allow([&]() { transient.read_amplitudes(); });
+  const bool has_amplitudes = found.allow([&]() { transient.read_amplitudes(); });
   const bool has_mesh = found.allow([&]() {
     const auto timer = timings.measure("mesh");
     mesh.read(scene_folder);
   });
   if (!has_mesh || !found.allow([&]() { layout.setup(mesh, materials); }))
     return;
-  const bool has_conditions = found.allow([&]() { conditions.setup(mesh, layout); }) &&
-                              found.allow([&]() { conditions.require_held(mesh); });
-  if (has_conditions)
-    found.allow([&]() { nodal_heat.setup(mesh, layout, conditions); });
+  const bool has_conditions = found.allow([&]() { conditions.setup(mesh, layout); });
+  if (layout.has(Field::temperature))
+    found.allow([&]() { materials.check_heat(layout.is_transient()); });
+  if (has_conditions && found.allow([&]() { nodal_heat.setup(mesh, layout, conditions); }) &&
+      has_amplitudes && layout.is_transient())
+    found.allow([&]() { transient.check_walls(theta); });
   if (path_following.is_automatic())
     system.require_inertia();
   const bool has_system = found.allow(
@@ -134,10 +145,11 @@ void Problem<dim>::check_and_set_up(Complaints& found)
   if (has_system)
     found.allow([&]() { results.setup(scene(), theta); });
   found.allow([&]() { check_path(); });
-  found.allow([&]() { dead_loads.setup(mesh, layout); });
+  const bool has_forces = found.allow([&]() { dead_loads.setup(mesh, layout); });
   if (has_conditions) {
-    found.allow([&]() { pressure.setup(mesh, layout, conditions); });
-    found.allow([&]() { check_stages(); });
+    if (found.allow([&]() { pressure.setup(mesh, layout, conditions); }) && has_forces &&
+        has_loading)
+      found.allow([&]() { check_stages(); });
     found.allow([&]() { path_following.setup(mesh, layout, conditions); });
   }
 }
@@ -249,8 +261,13 @@ NewtonReport Problem<dim>::solve() const
   NewtonReport report = newton.solve(system);
   if (report.converged && unstable_directions(report) != 0 && report.reused) {
     // A count that decides is taken at the state itself.
-    report.negative_pivots = system.linear_solve(false).negative_pivots;
+    const LinearReport fresh = system.linear_solve(false);
+    report.negative_pivots = fresh.negative_pivots;
     ++report.factorisations;
+    if (!fresh.solved) {
+      report.converged = false;
+      report.reason = fresh.reason;
+    }
   }
   const long long unstable = unstable_directions(report);
   const bool rejects = unstable_states == "reject" || path_following.is_automatic();

@@ -130,8 +130,11 @@ void Problem<dim>::explain_end(const PathEnd end)
     outcome.name = "pull-in";
     outcome.reason = "limit point" + where.str();
     return;
-  case PathEnd::target:
   case PathEnd::observable:
+    outcome.reason = "the path reached " + loading.until().begin()->first + " = " +
+                     as_text(loading.until().begin()->second);
+    return;
+  case PathEnd::target:
   case PathEnd::stopped: // stops() has told why
     return;
   case PathEnd::no_load:

@@ -73,6 +73,23 @@ void Problem<dim>::check_stages() const
       throw InputError(place +
                        ": 'pressure' has nothing to act on; name it in section Loads, entry "
                        "'Pressure'");
+    else if (stage.kind == Stage::Kind::move && !conditions.move())
+      throw InputError(place + ": 'move' has nothing to move; name it in section Supports, entry "
+                               "'Moved'");
+  require_stage(dead_loads.exist(), Stage::Kind::force, "section Loads, entry 'Force'", "force 1");
+  require_stage(pressure.exist(), Stage::Kind::pressure, "section Loads, entry 'Pressure'",
+                "pressure 1");
+  require_stage(conditions.move(), Stage::Kind::move, "section Supports, entry 'Moved'", "move 1");
+}
+
+/// What is given but never applied is a mistake.
+template <int dim>
+void Problem<dim>::require_stage(const bool is_given, const Stage::Kind kind,
+                                 const std::string& place, const std::string& stage) const
+{
+  if (is_given && !loading.has_stage(kind))
+    throw InputError(place + ": no stage applies it; write `" + stage +
+                     "` into section Loading, entry 'Stages', or remove it");
 }
 
 template <int dim>
@@ -196,6 +213,8 @@ void Problem<dim>::show_floating_voltage()
   template bool Problem<dim>::drives_an_electrode(const Stage&) const;                             \
   template void Problem<dim>::check_change(const Stage&, const std::string&) const;                \
   template void Problem<dim>::check_stages() const;                                                \
+  template void Problem<dim>::require_stage(bool, Stage::Kind, const std::string&,                 \
+                                            const std::string&) const;                             \
   template void Problem<dim>::apply_loads();                                                       \
   template void Problem<dim>::show_floating_voltage();
 INSTANTIATE(2)

@@ -17,6 +17,16 @@ void Problem<dim>::set_uniform_temperature(const double value)
     state.theta = value;
 }
 
+/// What helps where no step from time 0 is short enough.
+template <int dim>
+std::string Problem<dim>::remedy() const
+{
+  return state.accepted_load() > 0.
+             ? ""
+             : "; against a jump at time 0 shorter steps do not help, but more Newton/Iterations "
+               "or an amplitude that rises";
+}
+
 template <int dim>
 void Problem<dim>::evolve()
 {
@@ -46,7 +56,7 @@ void Problem<dim>::evolve()
     if (transient.exhausted()) {
       outcome =
           failure("no convergence", "no stable state beyond " + as_text(state.accepted_load()) +
-                                        " s: " + last_failure);
+                                        " s: " + last_failure + remedy());
       results.set_event("no convergence");
       return;
     }
@@ -80,6 +90,8 @@ Scene<dim> Problem<dim>::scene()
 
 template void Problem<2>::set_uniform_temperature(double);
 template void Problem<3>::set_uniform_temperature(double);
+template std::string Problem<2>::remedy() const;
+template std::string Problem<3>::remedy() const;
 template void Problem<2>::evolve();
 template void Problem<3>::evolve();
 template void Problem<2>::record(double, const NewtonReport&);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <set>
 #include <sstream>
 
 namespace thelma
@@ -50,7 +51,47 @@ void Transient<dim>::read_amplitudes()
     if (voltage_text != "1" || wall_text != "1" || power_text != "1" || structural_heat != "none")
       throw InputError("section Time: nothing changes in time here; choose Model = transient in "
                        "the section Temperature, or remove the amplitudes and the structural heat");
+    return;
   }
+  const auto require_finite = [&](const std::string& entry, const Amplitude& amplitude) {
+    for (const double time : samples())
+      if (!std::isfinite(amplitude(time)))
+        throw InputError(place(entry) + ": it is " + as_text(amplitude(time)) + " at t = " +
+                         as_text(time) + " s; write what is a number from 0 to Time/End");
+  };
+  complaints.allow([&]() { require_finite("Voltage amplitude", *voltage_amplitude); });
+  complaints.allow([&]() { require_finite("Wall amplitude", *wall_amplitude); });
+  complaints.allow([&]() { require_finite("Heat amplitude", *power_amplitude); });
+  complaints.raise();
+}
+
+/// Times in s at which the amplitudes are looked at before the run.
+template <int dim>
+std::vector<double> Transient<dim>::samples() const
+{
+  constexpr unsigned int n = 100;
+  std::vector<double> times;
+  for (unsigned int k = 0; k <= n; ++k)
+    times.push_back(final_time() * k / n);
+  return times;
+}
+
+template <int dim>
+void Transient<dim>::check_walls(const double theta_start) const
+{
+  std::set<double> walls;
+  for (const auto& entry : conditions.heated())
+    walls.insert(entry.second);
+  for (const auto& entry : heat.ambient_temperatures())
+    walls.insert(entry.second);
+  for (const double wall : walls)
+    for (const double time : samples()) {
+      const double there = theta_start + (*wall_amplitude)(time) * (wall - theta_start);
+      if (there < 1.)
+        throw InputError("section Time, entry 'Wall amplitude': it takes a wall of " +
+                         as_text(wall) + " K to " + as_text(there) + " K at t = " + as_text(time) +
+                         " s; temperatures are at least 1 K");
+    }
 }
 
 template <int dim>

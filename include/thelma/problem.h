@@ -39,6 +39,9 @@ public:
   /// Smallest shape of a cell (Mesh::shape).
   double mesh_shape() const { return mesh.shape(); }
 
+  /// What is solved for and how, a sentence to a line, after setup().
+  const std::vector<std::string>& modelled() const { return outcome.modelled; }
+
   /// Every entry with its default or current value.
   std::string parameters() const;
 
@@ -78,6 +81,8 @@ private:
   void heat();
   void set_uniform_temperature(double value);
   void check_stages() const;
+  void require_stage(bool is_given, Stage::Kind kind, const std::string& place,
+                     const std::string& stage) const;
   bool drives_an_electrode(const Stage& stage) const;
   void check_change(const Stage& stage, const std::string& place) const;
   void apply_loads();
@@ -85,6 +90,7 @@ private:
   bool begin_ramp(const Stage& stage);
   void ramp(const Stage& stage);
   void show_floating_voltage();
+  std::string remedy() const;
   void evolve();
   void leave_rest(const std::function<void(double)>& prescribe);
   bool follow(Stepper& steps, LoadSymmetry symmetry, const std::function<void(double)>& prescribe,

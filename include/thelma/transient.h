@@ -28,8 +28,13 @@ public:
 
   void declare(dealii::ParameterHandler& prm);
 
-  /// Throws InputError for an amplitude that cannot be read or that nothing follows.
+  /// Throws InputError for an amplitude that cannot be read, that nothing follows, or that is not
+  /// finite all the time.
   void read_amplitudes();
+
+  /// Throws InputError if a wall, or what surrounds one, comes below 1 K on its way from the
+  /// temperature @p theta (K) of time 0.
+  void check_walls(double theta) const;
 
   /// @p deformation solves for displacement and potential at given temperatures. @p voltage (kV)
   /// and the wall temperatures are multiplied by their amplitudes, @p theta in K is uniform at
@@ -69,6 +74,7 @@ public:
   }
 
 private:
+  std::vector<double> samples() const;
   void prescribe(double time);
   void restore();
   double voltage_at(double time) const { return voltage * (*voltage_amplitude)(time); }

@@ -81,6 +81,13 @@ void write_row(std::ostream& table, const Case& one, const std::vector<std::stri
 
 std::vector<Case> cases_of(const CommandLine& line)
 {
+  std::set<std::string> given;
+  for (const Override& one : line.overrides)
+    given.insert(one.path());
+  for (const Sweep& sweep : line.sweeps)
+    if (!given.insert(sweep.entry.path()).second)
+      throw InputError("command line, --sweep: '" + sweep.entry.path() +
+                       "' is given by another --sweep or --set; give it once");
   std::vector<Case> cases;
   std::set<std::string> names;
   for (const auto& changes : combinations(line.sweeps)) {

@@ -13,6 +13,14 @@ namespace thelma
 namespace
 {
 
+/// Without the quotes that a shell would take away.
+std::string unquoted(const std::string& text)
+{
+  const bool is_quoted = text.size() > 1 && text.front() == text.back() &&
+                         (text.front() == '"' || text.front() == '\'');
+  return is_quoted ? text.substr(1, text.size() - 2) : text;
+}
+
 /// The arguments in @p file, one to a line: an option with its value, or a parameter file, which is
 /// looked up from the working directory, then from this file. Lines that start with # are comments.
 std::vector<std::string> read_arguments(const std::string& file)
@@ -34,7 +42,7 @@ std::vector<std::string> read_arguments(const std::string& file)
     const std::size_t blank = line.find(' ');
     arguments.push_back(line.substr(0, blank));
     if (blank != std::string::npos)
-      arguments.push_back(dealii::Utilities::trim(line.substr(blank)));
+      arguments.push_back(unquoted(dealii::Utilities::trim(line.substr(blank))));
   }
   return arguments;
 }
@@ -66,7 +74,8 @@ Sweep parse_sweep(const std::string& text)
 {
   Sweep sweep;
   sweep.entry = Override::parse(text);
-  sweep.values = dealii::Utilities::split_string_list(sweep.entry.value, ',');
+  const bool has_commas = sweep.entry.value.find(';') != std::string::npos; // in the values
+  sweep.values = dealii::Utilities::split_string_list(sweep.entry.value, has_commas ? ';' : ',');
   if (sweep.values.empty())
     throw InputError("command line, --sweep: '" + text +
                      "' has no values; write Section/Entry=v1,v2,...");
@@ -123,9 +132,11 @@ CommandLine CommandLine::parse(const std::vector<std::string>& given)
       line.sweeps.push_back(parse_sweep(value()));
     else if (word == "--ranks-per-case")
       line.ranks_per_case = parse_ranks_per_case(value());
-    else if (word == "--output")
+    else if (word == "--output") {
       line.output = value();
-    else if (word == "--restart")
+      if (line.output.empty())
+        throw InputError("command line, --output: it is empty; write the folder for the results");
+    } else if (word == "--restart")
       throw InputError("command line: --restart DIR stands alone; the folder knows the scene and "
                        "the options of its run");
     else if (word == "--estimate")
@@ -165,22 +176,25 @@ thelma --restart DIR                 go on with the run or the study in DIR
 Simulates dielectric elastomer actuators: finite deformation, electric field, temperature.
 
   --set "Section/Entry=value"        override an entry; repeatable
-  --sweep "Section/Entry=v1,v2,..."  one run per value; repeatable, all combinations
+  --sweep "Section/Entry=v1,v2,..."  one run per value; repeatable, all combinations; write
+                                     v1; v2; ... where values have commas
   --ranks-per-case N                 ranks that share a run of a sweep (default 1); as many
                                      runs as fit go side by side
   --output DIR                       where results go (default output/<name of FILE>)
+  --restart DIR                      go on with what is in DIR; stands alone
   --estimate                         run again on a mesh twice as fine and print the error of
                                      every number (estimate.csv)
   --check                            say all that is wrong with the scene, run nothing
-  --list                             known laws, formulations, solvers and observables
+  --list                             known laws, formulations, solvers, observables and units,
+                                     each with its meaning
   --defaults                         print every entry with its default, unit and meaning
-  --version, --help
+  --version, --help, -h
 
 A sweep leaves a folder per run and study.csv, a row per run. Started again, it runs only what is
 not finished or what has changed since.
 
-A run writes a checkpoint every minute (entry Output/Checkpoint interval), and one when SIGTERM, or
-SIGUSR1 to mpirun, stops it. After that, kill -9 or a full disk, --restart goes on from the newest
+A run writes a checkpoint every minute (entry Output/Checkpoint interval), and one when SIGTERM or
+Ctrl-C, or SIGUSR1 to mpirun, stops it. After that, kill -9 or a full disk, --restart goes on from the newest
 one, on any number of ranks; without one it begins anew.
 
 Examples

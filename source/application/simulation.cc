@@ -2,6 +2,8 @@
 #include <thelma/application/simulation.h>
 #include <thelma/base/error.h>
 #include <thelma/output/checkpoints.h>
+#include <thelma/output/curve.h>
+#include <thelma/output/folder_lock.h>
 #include <thelma/output/run_report.h>
 #include <thelma/problem.h>
 
@@ -58,6 +60,11 @@ Outcome run_scene(const MPI_Comm comm, const ParameterFile& file, const std::str
 {
   return with_problem(comm, file, folder, console, [&](auto& problem) {
     problem.setup();
+    std::optional<FolderLock> lock;
+    on_rank_0(comm, [&]() {
+      create_folder(folder);
+      lock.emplace(folder);
+    });
     const bool resumed = begin != Begin::anew && problem.resume(begin == Begin::resumed_if_same);
     if (!resumed)
       on_rank_0(comm, [&]() { RunCommand::here(arguments).write(folder); });
@@ -70,7 +77,7 @@ ParameterFile SingleRun::scene() const
   std::ifstream used(folder + "/used.prm");
   std::ostringstream text;
   if (restarts && used && text << used.rdbuf())
-    return ParameterFile::from_text(text.str(), file);
+    return ParameterFile::from_text(text.str(), file, folder + "/used.prm");
   return ParameterFile(file, overrides);
 }
 
@@ -106,6 +113,8 @@ std::string check_scene(const MPI_Comm comm, const ParameterFile& file)
     std::ostringstream text;
     text << "no problem found; shape of the worst cell: " << std::setprecision(2)
          << problem.mesh_shape() << (problem.mesh_shape() < 0.2 ? ", poor" : "") << " (1 is a box)";
+    for (const std::string& line : problem.modelled())
+      text << "\n  " << line;
     return text.str();
   });
 }
@@ -113,9 +122,16 @@ std::string check_scene(const MPI_Comm comm, const ParameterFile& file)
 std::string default_parameters()
 {
   // Materials and observables have sections once they are named.
+  std::string regions, materials;
+  for (const Choice& law : elastic_laws()) {
+    const std::string name = regions.empty() ? "elastomer" : "elastomer (" + law.name + ")";
+    regions += (regions.empty() ? "" : ", ") + law.name + ": " + name;
+    materials += "subsection " + name + "\n set Elastic law = " + law.name + "\nend\n";
+  }
   const ParameterFile example = ParameterFile::from_text(
-      "subsection Regions\n set Materials = film: elastomer\nend\n"
-      "subsection Output\n set Observables = lambda_3, charge, energy\nend\n");
+      "subsection Regions\n set Materials = " + regions + "\nend\nsubsection Materials\n" +
+      materials + "end\nsubsection Output\n set Observables = " +
+      comma_separated(observables<3>().names()) + "\nend\n");
   return Problem<3>(MPI_COMM_SELF, example, "", silence()).parameters();
 }
 

@@ -18,6 +18,7 @@
 #include <iomanip>
 #include <iostream>
 #include <iterator>
+#include <new>
 #include <regex>
 #include <sstream>
 #include <sys/file.h>
@@ -66,14 +67,15 @@ private:
 Outcome ended_by(const std::exception& error)
 {
   Outcome outcome;
-  const bool is_input = dynamic_cast<const InputError*>(&error) != nullptr;
+  const bool lacks_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+  const bool is_input = lacks_memory || dynamic_cast<const InputError*>(&error) != nullptr;
   outcome.code = is_input ? ExitCode::bad_input : ExitCode::internal_error;
   outcome.name = is_input ? "bad input" : "internal error";
   std::ostringstream reason;
   if (const auto* internal = dynamic_cast<const dealii::ExceptionBase*>(&error))
     internal->print_info(reason);
   else
-    reason << error.what();
+    reason << (lacks_memory ? out_of_memory : error.what());
   outcome.reason = std::regex_replace(reason.str(), std::regex("\\s+"), " ");
   return outcome;
 }
@@ -89,6 +91,8 @@ Study::Study(const MPI_Comm world, const CommandLine& line)
                      " ranks wanted but there are " + std::to_string(ranks) +
                      "; start with mpirun -np " + std::to_string(wanted) + " or more");
   on_rank_0(world, [&]() {
+    create_folder(folder);
+    lock.emplace(folder);
     for (const Case& one : cases)
       create_folder(one.folder);
     RunCommand::here(line.arguments).write(folder);
@@ -138,8 +142,10 @@ void Study::find_unfinished()
   for (std::size_t c = this_mpi_process(world); c < cases.size(); c += n_mpi_processes(world)) {
     try {
       is_unfinished[c] = !is_finished(cases[c].file, cases[c].folder);
-    } catch (const InputError&) {
-      is_unfinished[c] = 1; // its run will say why
+    } catch (const InputError& error) {
+      is_unfinished[c] = 1; // its run says so again, in its folder
+      for (const std::string& sentence : error.sentences())
+        std::cerr << "thelma: " + sentence + "; the other cases are run\n" << std::flush;
     }
     if (is_unfinished[c])
       for (const char* file : {"/run.json", "/log.txt"})

@@ -31,7 +31,7 @@ dealii::Tensor<1, dim> parse_force(const std::string& text)
     for (unsigned int d = 0; d < dim; ++d)
       force[d] = Quantity(dim == 3 ? "N" : "N/mm").value(numbers[d] + unit);
   } catch (const InputError& error) {
-    throw InputError(place + ": '" + text + "' is no force; write its " + std::to_string(dim) +
+    throw InputError("'" + text + "' is no force; write its " + std::to_string(dim) +
                      " components in N with blanks between: " + error.what());
   }
   return force;
@@ -50,6 +50,7 @@ void DeadLoads<dim>::declare(dealii::ParameterHandler& prm)
       "keep their direction and are spread evenly over the undeformed surface. Unit: N, in plane "
       "strain N/mm of depth.",
       dealii::Patterns::Map(dealii::Patterns::Anything(), dealii::Patterns::Anything(), 0, 100));
+  check_values(prm, "Force", [](const std::string& force) { parse_force<dim>(force); });
 }
 
 template <int dim>

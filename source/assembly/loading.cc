@@ -1,4 +1,5 @@
 #include <thelma/assembly/loading.h>
+#include <thelma/base/complaints.h>
 #include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
 #include <thelma/base/quantity.h>
@@ -31,7 +32,7 @@ void Loading::declare(dealii::ParameterHandler& prm)
   prm.add_parameter("Bracket", bracket,
                     "A pull-in is enclosed between two fields e this far apart; also the smallest "
                     "load step.",
-                    Double(1e-12));
+                    Double(1e-12, 1.));
   prm.add_parameter("Stages", stage_texts,
                     "What happens one after the other: `voltage 1` or `charge 1` goes to this "
                     "multiple of Target, `force 1` or `pressure 1` to this multiple of Loads/Force "
@@ -51,23 +52,30 @@ void Loading::declare(dealii::ParameterHandler& prm)
 
 void Loading::setup(const MaterialLibrary& materials, const double theta)
 {
-  if (film_material.empty()) {
-    const std::vector<std::string> names = materials.names();
-    if (names.size() != 1)
-      throw InputError("section Loading, entry 'Film material': say which material's eps and mu "
-                       "define e; known: " +
-                       comma_separated(names));
-    film_material = names.front();
-  }
-  const Material& film = materials.named(film_material);
-  field_per_voltage =
-      std::sqrt(film.permittivity(theta) / film.shear_modulus(theta)) / film_thickness;
-  const double target = read_target();
+  Complaints complaints;
+  double target = 0.;
+  complaints.allow([&]() {
+    const Material& film = film_of(materials);
+    field_per_voltage =
+        std::sqrt(film.permittivity(theta) / film.shear_modulus(theta)) / film_thickness;
+  });
+  complaints.allow([&]() { target = read_target(); });
+  complaints.allow([&]() { read_stages(); });
+  complaints.raise();
   if (control == "charge")
     target_charge = target;
   else
     target_voltage = control == "e" ? target / field_per_voltage : target;
-  read_stages();
+}
+
+const Material& Loading::film_of(const MaterialLibrary& materials) const
+{
+  const std::string place = "section Loading, entry 'Film material'";
+  const std::vector<std::string> names = materials.names();
+  if (film_material.empty() && names.size() != 1)
+    throw InputError(
+        place + ": say which material's eps and mu define e; known: " + comma_separated(names));
+  return materials.named(film_material.empty() ? names.front() : film_material, place);
 }
 
 double Loading::read_target() const
@@ -76,7 +84,7 @@ double Loading::read_target() const
     return Quantity(control == "e"         ? "1"
                     : control == "voltage" ? "kV"
                                            : "uC",
-                    1e-12)
+                    1e-12, 1e6)
         .value(target_text);
   } catch (const InputError& error) {
     throw InputError("section Loading, entry 'Target': " + std::string(error.what()) +
@@ -111,6 +119,12 @@ void Loading::read_stages()
                        "number, or connect or disconnect with an electrode");
     stage_list.push_back(stage);
   }
+}
+
+bool Loading::has_stage(const Stage::Kind kind) const
+{
+  return std::any_of(stage_list.begin(), stage_list.end(),
+                     [&](const Stage& stage) { return stage.kind == kind; });
 }
 
 bool Loading::has_stage(const Stage::Kind kind, const std::string& electrode) const

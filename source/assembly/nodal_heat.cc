@@ -26,9 +26,10 @@ void NodalHeat<dim>::declare(dealii::ParameterHandler& prm)
   add_quantity(
       prm, "Convection", convections,
       "Coefficient h of the heat loss h (theta - theta_inf) of surfaces, as `outer: 0.02`.",
-      Quantity("mW/(mm^2 K)"));
+      Quantity("mW/(mm^2 K)", 0.));
   add_quantity(prm, "Surroundings", surroundings,
-               "Temperature theta_inf around the surfaces with convection.", Quantity("K", 1.));
+               "Temperature theta_inf around the surfaces with convection.",
+               Quantity("K", 1., 1e4));
   add_quantity(prm, "Source", sources, "Heat source R of regions.", Quantity("mW/mm^3"));
 }
 
@@ -38,9 +39,14 @@ void NodalHeat<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout
 {
   exists = layout.has(Field::temperature);
   if (!exists) {
-    if (!fluxes.empty() || !convections.empty() || !surroundings.empty() || !sources.empty())
-      throw InputError("section Heat: there is no temperature field that heat could change; choose "
-                       "Model = steady or transient in the section Temperature");
+    for (const auto& [entry, values] : {std::pair("Flux", &fluxes),
+                                        {"Convection", &convections},
+                                        {"Surroundings", &surroundings},
+                                        {"Source", &sources}})
+      if (!values->empty())
+        throw InputError("section Heat, entry '" + std::string(entry) +
+                         "': there is no temperature field that heat could change; choose Model = "
+                         "steady or transient in the section Temperature");
     return;
   }
   if (!layout.is_transient() && conditions.heated().empty() && convections.empty())
@@ -65,8 +71,10 @@ void NodalHeat<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout
 template <int dim>
 typename NodalHeat<dim>::Surface NodalHeat<dim>::properties(const std::string& name) const
 {
-  if ((convections.count(name) == 0) != (surroundings.count(name) == 0))
-    throw InputError("section Heat: surface '" + name +
+  const bool convects = convections.count(name) > 0;
+  if (convects != (surroundings.count(name) > 0))
+    throw InputError("section Heat, entry '" +
+                     std::string(convects ? "Convection" : "Surroundings") + "': surface '" + name +
                      "' needs both, its coefficient in 'Convection' and the temperature in "
                      "'Surroundings'");
   const auto value = [&](const std::map<std::string, double>& entries) {

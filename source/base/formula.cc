@@ -2,10 +2,24 @@
 #include <thelma/base/formula.h>
 
 #include <iostream>
+#include <regex>
 #include <sstream>
 
 namespace thelma
 {
+namespace
+{
+
+/// The parser's message among what deal.II says.
+std::string reason(const std::string& noise)
+{
+  std::smatch message;
+  const bool found =
+      std::regex_search(noise, message, std::regex("Message: +<?([^\n]+?)\\.?>? *\n"));
+  return found ? message[1].str() : "it is no formula";
+}
+
+} // namespace
 
 template <int n>
 Formula<n>::Formula(const std::string& place, const std::string& expression,
@@ -13,17 +27,17 @@ Formula<n>::Formula(const std::string& place, const std::string& expression,
 {
   std::ostringstream parser_noise; // deal.II writes the parser's complaint to cerr
   auto* const cerr = std::cerr.rdbuf(parser_noise.rdbuf());
-  bool readable = true;
+  std::string problem;
   try {
     parser.initialize(variables, expression, {{"pi", dealii::numbers::PI}});
     parser.value(dealii::Point<n>()); // the first value is what parses
   } catch (const dealii::ExceptionBase&) {
-    readable = false;
+    problem = reason(parser_noise.str());
   }
   std::cerr.rdbuf(cerr);
-  if (!readable)
-    throw InputError(place + ": cannot evaluate '" + expression + "'; write an expression of " +
-                     variables);
+  if (!problem.empty())
+    throw InputError(place + ": cannot evaluate '" + expression + "' (" + problem +
+                     "); write an expression of " + variables);
 }
 
 template class Formula<1>;

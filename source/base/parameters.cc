@@ -5,9 +5,11 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <set>
 #include <sstream>
 
 namespace thelma
@@ -23,12 +25,30 @@ std::string slashed(const std::vector<std::string>& path)
   return name;
 }
 
+std::string each_value(const std::string& pattern);
+
+/// What a pattern's description lets choose from, if it does.
+std::vector<std::string> choices(const std::string& pattern)
+{
+  std::smatch found;
+  if (!std::regex_search(pattern, found, std::regex("^\\[Selection (.*) \\]$")))
+    return {};
+  return dealii::Utilities::split_string_list(found[1].str(), '|');
+}
+
 /// A pattern's description in words.
 std::string in_words(const std::string& pattern)
 {
   std::smatch found;
-  if (std::regex_search(pattern, found, std::regex("^\\[Selection (.*) \\]$")))
-    return "one of " + std::regex_replace(found[1].str(), std::regex("\\|"), ", ");
+  if (const std::vector<std::string> known = choices(pattern); !known.empty())
+    return "one of " + comma_separated(known);
+  if (std::regex_search(pattern, found, std::regex("^\\[Map of <.*>:<(.*)> of length 0...1 ")))
+    return "`name: value`" + each_value(found[1]);
+  if (std::regex_search(pattern, found, std::regex("^\\[Map of <.*>:<(.*)> of length ")))
+    return "`name: value` or several with commas between" + each_value(found[1]);
+  if (std::regex_search(pattern, found,
+                        std::regex("^\\[List of <(.*)> of length \\d+\\.\\.\\.(\\d+) ")))
+    return "a list of at most " + found[2].str() + each_value(found[1]);
   if (std::regex_search(
           pattern, found,
           std::regex("^\\[(Integer|Double)(?: (?:range )?(\\S+)\\.\\.\\.(\\S+) .*)?\\]$"))) {
@@ -38,6 +58,22 @@ std::string in_words(const std::string& pattern)
            (has_end ? " to " + found[3].str() : "");
   }
   return pattern == "[Bool]" ? "true or false" : pattern;
+}
+
+std::string each_value(const std::string& pattern)
+{
+  return pattern == "[Anything]" ? "" : ", each value " + in_words(pattern);
+}
+
+/// A map keeps one value of each name, and no one could tell which.
+void require_distinct_names(const std::string& map)
+{
+  std::set<std::string> names;
+  for (const std::string& part : dealii::Utilities::split_string_list(map)) {
+    const std::string name = dealii::Utilities::trim(part.substr(0, part.find(':')));
+    if (!names.insert(name).second)
+      throw InputError("'" + name + "' is given twice; write every name once");
+  }
 }
 
 /// `'Tolerence'; did you mean ...` with the sections where an entry of this name belongs.
@@ -72,10 +108,14 @@ void set(dealii::ParameterHandler& prm, const DeclaredEntries& declared, const S
 {
   const std::string pattern = declared.pattern(statement.sections, statement.entry);
   const Section section(prm, statement.sections);
+  if (pattern.rfind("[Map", 0) == 0)
+    require_distinct_names(statement.value);
   try {
     prm.set(statement.entry, Quantity::plain(statement.value, pattern));
   } catch (const dealii::ExceptionBase&) {
-    throw InputError("the value is '" + statement.value + "' but must be " + in_words(pattern));
+    const std::string guess = closest(statement.value, choices(pattern));
+    throw InputError("the value is '" + statement.value + "' but must be " + in_words(pattern) +
+                     (guess.empty() ? "" : "; did you mean '" + guess + "'?"));
   }
 }
 
@@ -108,7 +148,7 @@ std::string Override::path() const
 }
 
 ParameterFile::ParameterFile(std::string file, const std::vector<Override>& overrides)
-    : path(std::move(file))
+    : path(std::move(file)), shown(path)
 {
   std::ifstream stream(path);
   std::stringstream content;
@@ -121,10 +161,12 @@ ParameterFile::ParameterFile(std::string file, const std::vector<Override>& over
     statements.entries.push_back({0, change.sections, change.entry, change.value});
 }
 
-ParameterFile ParameterFile::from_text(const std::string& text, const std::string& name)
+ParameterFile ParameterFile::from_text(const std::string& text, const std::string& name,
+                                       const std::string& shown)
 {
   ParameterFile file;
   file.path = name;
+  file.shown = shown.empty() ? name : shown;
   file.statements = Statements(text);
   return file;
 }
@@ -138,6 +180,12 @@ void ParameterFile::peek(const std::function<void(dealii::ParameterHandler&)>& d
   for (const Statement& statement : statements.entries)
     if (declared.has_entry(statement.sections, statement.entry))
       unheard.allow([&]() { set(prm, declared, statement); });
+}
+
+bool ParameterFile::has_section(const std::vector<std::string>& path) const
+{
+  return std::any_of(statements.entries.begin(), statements.entries.end(),
+                     [&](const Statement& statement) { return statement.sections == path; });
 }
 
 void ParameterFile::read(dealii::ParameterHandler& prm) const
@@ -155,8 +203,15 @@ void ParameterFile::read(dealii::ParameterHandler& prm) const
       complain(section.line,
                place(section.line, parent) + ": " + unknown_section(declared, section.path));
   }
+  std::map<std::pair<std::vector<std::string>, std::string>, unsigned int> first_set;
   for (const Statement& statement : statements.entries) {
     const std::string where = place(statement.line, statement.sections);
+    const auto [first, is_new] =
+        first_set.emplace(std::pair(statement.sections, statement.entry), statement.line);
+    if (statement.line > 0 && !is_new)
+      complain(statement.line, where + ", entry '" + statement.entry + "': it is set on line " +
+                                   std::to_string(first->second) +
+                                   " already; remove one of the two");
     if (const std::string unknown = unknown_section(declared, statement.sections);
         !unknown.empty()) {
       if (statement.line == 0)
@@ -179,7 +234,7 @@ void ParameterFile::read(dealii::ParameterHandler& prm) const
 std::string ParameterFile::place(const unsigned int line,
                                  const std::vector<std::string>& sections) const
 {
-  return (line == 0 ? "command line" : path + ":" + std::to_string(line)) +
+  return (line == 0 ? "command line" : shown + ":" + std::to_string(line)) +
          (sections.empty() ? "" : ", section " + slashed(sections));
 }
 
@@ -190,14 +245,14 @@ std::string ParameterFile::located(const std::string& sentence) const
     return sentence;
   const std::string head = sentence.substr(0, sentence.find(": "));
   if (!std::regex_search(head, parts, std::regex("^section ([^,]+)(?:, entry '([^']*)')?")))
-    return path + ", " + sentence;
-  std::string where = path;
+    return shown + ", " + sentence;
+  std::string where = shown;
   for (const OpenedSection& section : statements.sections)
     if (slashed(section.path) == parts[1])
-      where = path + ":" + std::to_string(section.line);
+      where = shown + ":" + std::to_string(section.line);
   for (const Statement& statement : statements.entries)
     if (slashed(statement.sections) == parts[1] && statement.entry == parts[2])
-      where = statement.line == 0 ? "command line" : path + ":" + std::to_string(statement.line);
+      where = statement.line == 0 ? "command line" : shown + ":" + std::to_string(statement.line);
   return where + ", " + sentence;
 }
 
@@ -208,6 +263,16 @@ std::string located(const std::string& file, const std::string& folder)
   return !std::filesystem::exists(file, too_long) && std::filesystem::exists(there, too_long)
              ? there.string()
              : file;
+}
+
+void check_values(dealii::ParameterHandler& prm, const std::string& entry,
+                  const std::function<void(const std::string&)>& check)
+{
+  using Map = std::map<std::string, std::string>;
+  prm.add_action(entry, [check](const std::string& text) {
+    for (const auto& value : dealii::Patterns::Tools::Convert<Map>::to_value(text))
+      check(value.second);
+  });
 }
 
 Section::Section(dealii::ParameterHandler& prm, const std::vector<std::string>& path)

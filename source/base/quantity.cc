@@ -100,15 +100,20 @@ std::unique_ptr<dealii::Patterns::PatternBase> Quantity::clone() const
 double Quantity::value(const std::string& written) const
 {
   const std::string text = dealii::Utilities::trim(written);
-  const std::string typical = smallest > 0. && smallest < 1. ? "0.5" : "20";
-  const std::string example = typical + (unit == "1" ? "" : " or " + typical + " " + unit);
+  const bool is_temperature = unit == "K" && !is_difference;
+  const std::string typical = is_temperature                   ? "293"
+                              : smallest > 0. && smallest < 1. ? "0.5"
+                                                               : "20";
+  const std::string example = typical + (unit == "1" ? "" : " or " + typical + " " + unit) +
+                              (is_temperature ? " or 20 degC" : "");
   const NumberWithUnit given(text, example);
   double number = given.number;
   if (!given.unit.empty()) {
     const Unit wanted = *Unit::parse(unit);
     const std::optional<Unit> found = Unit::parse(given.unit);
     if (!found)
-      throw InputError("'" + given.unit + "' in '" + text + "' is no unit; write it as " + example);
+      throw InputError("'" + given.unit + "' in '" + text + "' is no unit; write it as " + example +
+                       "; known units: " + known_units());
     if (found->dimension != wanted.dimension)
       throw InputError("'" + text + "' is " + name_of_dimension(found->dimension) +
                        " but must be " + name_of_dimension(wanted.dimension) + "; write it as " +

@@ -24,8 +24,8 @@ std::string cleaned(const std::string& line)
 /// For the case that someone takes another file for a parameter file.
 std::string printable(std::string text)
 {
-  const auto is_control = [](const unsigned char c) { return std::iscntrl(c) != 0; };
-  std::replace_if(text.begin(), text.end(), is_control, '?');
+  const auto is_odd = [](const unsigned char c) { return std::isprint(c) == 0; };
+  std::replace_if(text.begin(), text.end(), is_odd, '?');
   return text;
 }
 
@@ -47,7 +47,8 @@ bool begins_with(const std::string& line, const std::string& keyword, std::strin
 
 Statements::Statements(const std::string& text)
 {
-  std::istringstream stream(text);
+  constexpr char byte_order_mark[] = "\xEF\xBB\xBF"; // some editors begin UTF-8 with it
+  std::istringstream stream(text.rfind(byte_order_mark, 0) == 0 ? text.substr(3) : text);
   std::string line, begun;
   unsigned int number = 0, first = 0;
   while (std::getline(stream, line)) {

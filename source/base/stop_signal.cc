@@ -21,6 +21,7 @@ void listen_for_signals()
   struct sigaction stop = {};
   stop.sa_handler = request_stop;
   stop.sa_flags = SA_RESETHAND | SA_RESTART;
+  sigaction(SIGINT, &stop, nullptr); // a second one ends at once
   sigaction(SIGTERM, &stop, nullptr);
   sigaction(SIGUSR1, &stop, nullptr);
   std::signal(SIGXFSZ, SIG_IGN);

@@ -143,6 +143,14 @@ std::optional<Unit> Unit::parse(const std::string& text)
   return unit.empty() ? Unit() : UnitReader(unit).read();
 }
 
+std::string known_units()
+{
+  std::vector<std::string> known{"degC"};
+  for (const auto& entry : symbols())
+    known.push_back(entry.first);
+  return comma_separated(known) + ", with prefixes from f to G, and products of them as W/(m K)";
+}
+
 std::string name_of_dimension(const Dimension& dimension)
 {
   static const std::vector<std::pair<std::string, std::string>> names{
@@ -189,6 +197,9 @@ NumberWithUnit::NumberWithUnit(const std::string& text, const std::string& examp
   if (!std::isfinite(number))
     throw InputError("'" + text + "' is not a number; write it as " + example);
   unit = dealii::Utilities::trim(parts[2].str());
+  if (!unit.empty() && unit[0] == ',')
+    throw InputError("'" + text + "' has a comma; write a decimal point and one number, as " +
+                     example);
 }
 
 } // namespace thelma

@@ -13,13 +13,15 @@ namespace thelma
 namespace
 {
 
-double moved_way(const std::string& text, const std::string& place)
+/// `u1 2.5`: the component and its way in mm.
+template <int dim>
+std::pair<unsigned int, double> parse_move(const std::string& text)
 {
-  try {
-    return Quantity("mm").value(text);
-  } catch (const InputError& error) {
-    throw InputError(place + ": " + error.what());
-  }
+  const std::size_t blank = text.find(' ');
+  if (blank == std::string::npos)
+    throw InputError("'" + text + "' is not a displacement component and mm; write it as u1 2.5");
+  return {components_named<dim>(text.substr(0, blank)).front(),
+          Quantity("mm").value(text.substr(blank))};
 }
 
 } // namespace
@@ -34,24 +36,27 @@ void BoundaryConditions<dim>::declare(dealii::ParameterHandler& prm)
                       "Displacement components held at zero on surfaces, lines or points, as "
                       "`clamp: u1 u2 u3, symmetry: u1`.",
                       Map(Anything(), Anything(), 0, 100));
+    check_values(prm, "Fixed", [](const std::string& text) { components_named<dim>(text); });
     prm.add_parameter("Moved", moved_supports,
                       "Displacement components to which the stage `move` (Loading/Stages) takes "
                       "surfaces, lines or points, as `grip: u1 2.5`. Unit: mm.",
                       Map(Anything(), Anything(), 0, 100));
+    check_values(prm, "Moved", [](const std::string& text) { parse_move<dim>(text); });
   }
   plates.declare(prm);
   const Section section(prm, {"Temperature"});
   add_quantity(prm, "Fixed", temperatures,
                "Temperatures of surfaces, as `inner: 353`; only for a temperature field.",
-               Quantity("K", 1.));
+               Quantity("K", 1., 1e4));
 }
 
 template <int dim>
 void BoundaryConditions<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout)
 {
   Complaints complaints;
-  complaints.allow([&]() { fix_supports(mesh, layout); });
-  complaints.allow([&]() { fix_moved_supports(mesh, layout); });
+  const bool has_supports = complaints.allow([&]() { fix_supports(mesh, layout); });
+  if (complaints.allow([&]() { fix_moved_supports(mesh, layout); }) && has_supports)
+    complaints.allow([&]() { require_held(mesh); });
   complaints.allow([&]() { plates.setup(mesh, layout); });
   complaints.allow([&]() { fix_temperatures(mesh, layout); });
   complaints.raise();
@@ -89,7 +94,7 @@ void BoundaryConditions<dim>::fix_supports(const Mesh<dim>& mesh, const FieldLay
   Complaints complaints;
   for (const auto& [surface, components] : supports)
     complaints.allow([&, &surface = surface, &components = components]() {
-      for (const unsigned int c : components_named<dim>(components, place))
+      for (const unsigned int c : components_named<dim>(components))
         fix(mesh, layout, surface, place, c, 0., fixed_dofs);
     });
   if (supports.empty())
@@ -102,10 +107,10 @@ void BoundaryConditions<dim>::require_held(const Mesh<dim>& mesh) const
 {
   RigidMotions<dim> motions(mesh);
   for (const auto& [surface, components] : supports)
-    for (const unsigned int c : components_named<dim>(components, ""))
+    for (const unsigned int c : components_named<dim>(components))
       motions.hold(surface, c);
   for (const auto& [surface, text] : moved_supports)
-    motions.hold(surface, components_named<dim>(text.substr(0, text.find(' ')), "").front());
+    motions.hold(surface, parse_move<dim>(text).first);
   Complaints complaints;
   for (const std::string& sentence : motions.remaining())
     complaints.add("section Supports, entry 'Fixed': " + sentence);
@@ -118,14 +123,8 @@ void BoundaryConditions<dim>::fix_moved_supports(const Mesh<dim>& mesh,
 {
   const std::string place = "section Supports, entry 'Moved'";
   for (const auto& [surface, text] : moved_supports) {
-    const std::size_t blank = text.find(' ');
-    if (blank == std::string::npos)
-      throw InputError(place + ": '" + text +
-                       "' is not a displacement component and mm; write it "
-                       "as u1 2.5");
-    const double way = moved_way(text.substr(blank), place);
-    for (const unsigned int c : components_named<dim>(text.substr(0, blank), place))
-      fix(mesh, layout, surface, place, c, way, moved_dofs);
+    const auto [component, way] = parse_move<dim>(text);
+    fix(mesh, layout, surface, place, component, way, moved_dofs);
   }
   for (const auto& entry : moved_dofs)
     fixed_dofs.erase(entry.first);

@@ -55,9 +55,14 @@ void Electrodes<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layou
     complaints.allow([&, &name = name, &multiple = multiple]() {
       add(mesh, layout, {name, {}, multiple, 0., 0., false}, place);
     });
+  const std::string floating_place = "section Electrodes, entry 'Floating'";
   for (const auto& [name, multiple] : floating)
     complaints.allow([&, &name = name, &multiple = multiple]() {
-      add(mesh, layout, {name, {}, 1., multiple, 0., true}, "section Electrodes, entry 'Floating'");
+      if (driven.count(name) > 0)
+        throw InputError(floating_place + ": electrode '" + name +
+                         "' is in the entry 'Potential', too; it either floats or has a given "
+                         "potential");
+      add(mesh, layout, {name, {}, 1., multiple, 0., true}, floating_place);
     });
   complaints.raise();
 }

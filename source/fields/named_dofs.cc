@@ -51,25 +51,39 @@ dofs_on(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string
   return dealii::Utilities::MPI::compute_set_union(dofs, layout.communicator());
 }
 
+double sum_over(const std::set<dealii::types::global_dof_index>& dofs, const BlockVector& x)
+{
+  const auto owned = x.locally_owned_elements();
+  double sum = 0.;
+  for (const auto dof : dofs)
+    if (owned.is_element(dof))
+      sum += x(dof);
+  return dealii::Utilities::MPI::sum(sum, x.block(0).get_mpi_communicator());
+}
+
 template <int dim>
-std::vector<unsigned int> components_named(const std::string& text, const std::string& place)
+std::vector<unsigned int> components_named(const std::string& text)
 {
   std::vector<std::string> known;
   for (int d = 0; d < dim; ++d)
     known.push_back(component_name<dim>(d));
+  const auto require = [&](const bool is_known, const std::string& word) {
+    if (!is_known)
+      throw InputError("'" + word + "' is no displacement component; write any of " +
+                       comma_separated(known) + " with blanks between");
+  };
   std::vector<unsigned int> components;
   for (const std::string& word : dealii::Utilities::split_string_list(text, ' ')) {
     const auto found = std::find(known.begin(), known.end(), word);
-    if (found == known.end())
-      throw InputError(place + ": '" + word + "' is no displacement component; write any of " +
-                       comma_separated(known) + " with blanks between");
+    require(found != known.end(), word);
     components.push_back(found - known.begin());
   }
+  require(!components.empty(), text);
   return components;
 }
 
-template std::vector<unsigned int> components_named<2>(const std::string&, const std::string&);
-template std::vector<unsigned int> components_named<3>(const std::string&, const std::string&);
+template std::vector<unsigned int> components_named<2>(const std::string&);
+template std::vector<unsigned int> components_named<3>(const std::string&);
 template std::set<dealii::types::global_dof_index> dofs_on(const Mesh<2>&, const FieldLayout<2>&,
                                                            const std::string&, const std::string&,
                                                            unsigned int);

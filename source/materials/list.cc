@@ -7,18 +7,21 @@ namespace
 {
 
 template <typename Laws>
-std::vector<std::string> names_of()
+std::vector<Choice> choices()
 {
-  return std::apply([](auto... law) { return std::vector<std::string>{decltype(law)::name...}; },
-                    Laws());
+  return std::apply(
+      [](auto... law) {
+        return std::vector<Choice>{{decltype(law)::name, decltype(law)::meaning}...};
+      },
+      Laws());
 }
 
-std::string choice(const std::vector<std::string>& names)
+std::string pattern(const std::vector<Choice>& laws)
 {
-  std::string pattern;
-  for (const std::string& name : names)
-    pattern += (pattern.empty() ? "" : "|") + name;
-  return pattern;
+  std::string names;
+  for (const Choice& law : laws)
+    names += (names.empty() ? "" : "|") + law.name;
+  return names;
 }
 
 std::unique_ptr<Material> create(const std::string& elastic, const std::string& dielectric)
@@ -33,13 +36,13 @@ std::unique_ptr<Material> create(const std::string& elastic, const std::string& 
 
 } // namespace
 
-std::vector<std::string> elastic_law_names()
+std::vector<Choice> elastic_laws()
 {
-  return names_of<ElasticLaws>();
+  return choices<ElasticLaws>();
 }
-std::vector<std::string> dielectric_law_names()
+std::vector<Choice> dielectric_laws()
 {
-  return names_of<DielectricLaws>();
+  return choices<DielectricLaws>();
 }
 
 MaterialLibrary::MaterialLibrary(const ParameterFile& file)
@@ -52,6 +55,7 @@ MaterialLibrary::MaterialLibrary(const ParameterFile& file)
       declare_laws(prm, name, entry);
     });
     entry.material = create(entry.elastic, entry.dielectric);
+    entry.has_section = file.has_section({"Materials", name});
   }
 }
 
@@ -71,9 +75,9 @@ void MaterialLibrary::declare_laws(dealii::ParameterHandler& prm, const std::str
   using dealii::Patterns::Selection;
   const Section section(prm, {"Materials", name});
   prm.add_parameter("Elastic law", entry.elastic, "Elastic energy W(F_EM, theta).",
-                    Selection(choice(elastic_law_names())));
+                    Selection(pattern(elastic_laws())));
   prm.add_parameter("Dielectric law", entry.dielectric, "Electric energy.",
-                    Selection(choice(dielectric_law_names())));
+                    Selection(pattern(dielectric_laws())));
 }
 
 void MaterialLibrary::declare(dealii::ParameterHandler& prm)
@@ -106,6 +110,41 @@ void MaterialLibrary::check(const double theta) const
   }
 }
 
+void MaterialLibrary::check_heat(const bool in_time) const
+{
+  for (const auto& [name, entry] : materials) {
+    const auto require_positive = [&, &name = name](const std::string& what, const double value,
+                                                    const std::string& model) {
+      if (!(value > 0.))
+        throw InputError("section Materials/" + name + ", entry '" + what + "': the value is " +
+                         as_text(value) + " but must be positive where the temperature is " +
+                         model);
+    };
+    if (in_time)
+      require_positive("Heat capacity", entry.material->thermal.c, "transient");
+    else
+      require_positive("Conductivity", entry.material->thermal.k, "steady");
+  }
+}
+
+std::vector<std::string> MaterialLibrary::summary(const double theta) const
+{
+  std::vector<std::string> lines;
+  for (const auto& [name, entry] : materials) {
+    std::vector<std::string> places;
+    for (const auto& [region, material] : material_of_region)
+      if (material == name)
+        places.push_back(region);
+    lines.push_back(
+        "material " + name + " in " + comma_separated(places) + ": " + entry.elastic + ", " +
+        entry.dielectric + " dielectric, mu " + as_text(entry.material->shear_modulus(theta)) +
+        " MPa, K " + as_text(entry.material->thermal.K) + " MPa, eps " +
+        as_text(entry.material->permittivity(theta)) + " N/kV^2" +
+        (entry.has_section ? "" : "; all by default, as there is no section Materials/" + name));
+  }
+  return lines;
+}
+
 double MaterialLibrary::reference_temperature() const
 {
   const double theta_0 = materials.begin()->second.material->thermal.theta_0;
@@ -124,16 +163,15 @@ const Material& MaterialLibrary::of_region(const std::string& region) const
     throw InputError(
         "section Regions, entry 'Materials': the region '" + region +
         "' of the mesh has no material; regions named there: " + comma_separated(regions()));
-  return named(found->second);
+  return *materials.at(found->second).material;
 }
 
-const Material& MaterialLibrary::named(const std::string& name) const
+const Material& MaterialLibrary::named(const std::string& name, const std::string& place) const
 {
   const auto found = materials.find(name);
   if (found != materials.end())
     return *found->second.material;
-  throw InputError("section Materials: unknown material '" + name + "'" +
-                   known_ones(name, names()));
+  throw InputError(place + ": unknown material '" + name + "'" + known_ones(name, names()));
 }
 
 std::vector<std::string> MaterialLibrary::names() const

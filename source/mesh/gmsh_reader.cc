@@ -1,10 +1,14 @@
-#include <thelma/base/error.h>
+#include <thelma/base/complaints.h>
+#include <thelma/base/memory.h>
 #include <thelma/mesh/gmsh_reader.h>
 
+#include <boost/property_tree/json_parser.hpp>
 #include <gmsh.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <sstream>
 
 namespace thelma
 {
@@ -53,6 +57,30 @@ void open(const std::string& file)
     throw InputError("section Mesh, entry 'File': gmsh cannot read '" + file + "': " + problem);
 }
 
+/// Numbers of cells and the like are declared with `Step 1`: throws InputError unless @p value is
+/// whole and between the Min and the Max of the parameter @p name. (To a parameter without any of
+/// these gmsh gives limits of its own, which mean nothing, and another step.)
+void require_allowed(const std::string& file, const std::string& name, const double value)
+{
+  std::string description;
+  gmsh::onelab::get(description, name);
+  std::istringstream json(description);
+  boost::property_tree::ptree parameter;
+  boost::property_tree::read_json(json, parameter);
+  const auto refuse = [&](const std::string& remedy) {
+    throw InputError("section Mesh, entry 'Parameters': '" + name + "' of '" + file + "' is " +
+                     as_text(value) + " but must be " + remedy);
+  };
+  if (parameter.get("step", 0.) != 1.)
+    return;
+  if (value != std::round(value))
+    refuse("a whole number");
+  if (const double least = parameter.get("min", value); value < least)
+    refuse("at least " + as_text(least));
+  if (const double most = parameter.get("max", value); value > most)
+    refuse("at most " + as_text(most));
+}
+
 /// Parameters are the names a .geo declares with DefineConstant[ a = {1, Name "a"} ].
 void set_parameters(const std::string& file, const std::map<std::string, double>& parameters)
 {
@@ -62,13 +90,33 @@ void set_parameters(const std::string& file, const std::map<std::string, double>
     return n.find('/') != std::string::npos;
   };
   known.erase(std::remove_if(known.begin(), known.end(), belongs_to_gmsh), known.end());
+  Complaints complaints;
+  for (const auto& [name, value] : parameters)
+    complaints.allow([&, &name = name, &value = value]() {
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        throw InputError("section Mesh, entry 'Parameters': '" + file + "' has no parameter '" +
+                         name + "'" + known_ones(name, known));
+      require_allowed(file, name, value);
+    });
+  complaints.raise();
   gmsh::clear();
-  for (const auto& [name, value] : parameters) {
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      throw InputError("section Mesh, entry 'Parameters': '" + file + "' has no parameter '" +
-                       name + "'" + known_ones(name, known));
+  for (const auto& [name, value] : parameters)
     gmsh::onelab::setNumber(name, {value});
-  }
+}
+
+/// Refining makes cells faster than anyone thinks.
+void require_memory(const unsigned int refinements, const int dim)
+{
+  // To read 2.1 million hexahedra took 2.8 GB; the rest of the run takes at least as much.
+  constexpr double bytes_per_cell = 2. * 1350.;
+  double n_coarse = 0.;
+  gmsh::option::getNumber(dim == 3 ? "Mesh.NbHexahedra" : "Mesh.NbQuadrangles", n_coarse);
+  const double n_cells = n_coarse * std::pow(2., dim * static_cast<double>(refinements));
+  if (n_cells * bytes_per_cell > machine_memory())
+    throw InputError("section Mesh, entry 'Refinements': " + as_text(n_coarse) + " cells halved " +
+                     std::to_string(refinements) + " times are " + as_text(n_cells) +
+                     ", too many for the memory of this machine (" +
+                     as_text(std::round(machine_memory() / 1e9)) + " GB); refine less");
 }
 
 void generate(const std::string& file, const unsigned int refinements, const int dim)
@@ -79,9 +127,12 @@ void generate(const std::string& file, const unsigned int refinements, const int
   try {
     if (types.empty()) // a .msh brings its elements along
       gmsh::model::mesh::generate(dim);
+    require_memory(refinements, dim);
     for (unsigned int i = 0; i < refinements; ++i)
       gmsh::model::mesh::refine();
     problem = Gmsh::errors();
+  } catch (const InputError&) {
+    throw;
   } catch (const std::exception& error) {
     problem = error.what();
   }
@@ -98,7 +149,7 @@ unsigned int vertices_of_type(const int type)
 }
 
 void read_elements(PhysicalGroup& group, const int tag,
-                   const std::map<std::size_t, unsigned int>& index, const int dim)
+                   const std::map<std::size_t, unsigned int>& index)
 {
   std::vector<int> entities;
   gmsh::model::getEntitiesForPhysicalGroup(group.dimension, tag, entities);
@@ -111,7 +162,9 @@ void read_elements(PhysicalGroup& group, const int tag,
       if (n == 0)
         throw InputError("section Mesh, entry 'File': '" + group.name + "' has " +
                          std::to_string(elements[t].size()) + " elements that are not linear " +
-                         (dim == 3 ? "hexahedra" : "quadrilaterals") +
+                         (group.dimension == 3   ? "hexahedra"
+                          : group.dimension == 2 ? "quadrilaterals"
+                                                 : "lines") +
                          "; use transfinite or extruded meshes with Recombine");
       for (std::size_t i = 0; i < nodes[t].size(); i += n) {
         group.elements.emplace_back();
@@ -148,6 +201,42 @@ void drop_unused_vertices(CoarseMesh& mesh, const int dim)
   mesh.vertices = kept;
 }
 
+void require_dimension(const std::string& file, const int dim)
+{
+  const bool is_solid = gmsh::model::getDimension() == 3;
+  if (dim == 2 && is_solid)
+    throw InputError("section Mesh, entry 'File': '" + file +
+                     "' has volumes, but the scene is plane; write `set Dimension = 3`");
+  gmsh::vectorpair groups;
+  gmsh::model::getPhysicalGroups(groups, dim);
+  const auto is_region = [](const std::pair<int, int>& group) {
+    std::string name;
+    gmsh::model::getPhysicalName(group.first, group.second, name);
+    return !name.empty();
+  };
+  if (std::none_of(groups.begin(), groups.end(), is_region))
+    throw InputError("section Mesh, entry 'File': '" + file + "' has no named physical " +
+                     (dim == 2   ? "surface to be a region; name one"
+                      : is_solid ? "volume to be a region; name one"
+                                 : "volume to be a region, as it is plane; write `set Dimension = "
+                                   "2` for plane strain, or extrude it"));
+}
+
+/// The plane is that of x1 and x3.
+void require_plane(const std::string& file, const CoarseMesh& mesh)
+{
+  double size = 0., depth = 0.;
+  for (const auto& X : mesh.vertices) {
+    size = std::max(
+        {size, std::abs(X[0] - mesh.vertices[0][0]), std::abs(X[2] - mesh.vertices[0][2])});
+    depth = std::max(depth, std::abs(X[1] - mesh.vertices[0][1]));
+  }
+  if (depth > 1e-9 * size)
+    throw InputError("section Mesh, entry 'File': '" + file +
+                     "' leaves the plane of x1 and x3, in which a scene of Dimension = 2 lies; "
+                     "draw it with the second coordinate 0");
+}
+
 } // namespace
 
 CoarseMesh read_gmsh(const std::string& file, const std::map<std::string, double>& parameters,
@@ -164,6 +253,7 @@ CoarseMesh read_gmsh(const std::string& file, const std::map<std::string, double
     open(file);
   }
   generate(file, refinements, dim);
+  require_dimension(file, dim);
 
   CoarseMesh mesh;
   std::vector<std::size_t> tags;
@@ -182,14 +272,12 @@ CoarseMesh read_gmsh(const std::string& file, const std::map<std::string, double
     gmsh::model::getPhysicalName(dimension, tag, group.name);
     if (group.name.empty() || dimension > dim)
       continue;
-    read_elements(group, tag, index, dim);
+    read_elements(group, tag, index);
     mesh.groups.push_back(group);
   }
-  const auto is_region = [&](const PhysicalGroup& g) { return g.dimension == dim; };
-  if (std::none_of(mesh.groups.begin(), mesh.groups.end(), is_region))
-    throw InputError("section Mesh, entry 'File': '" + file + "' has no named physical " +
-                     (dim == 3 ? "volume" : "surface") + " to be a region");
   drop_unused_vertices(mesh, dim);
+  if (dim == 2)
+    require_plane(file, mesh);
   return mesh;
 }
 

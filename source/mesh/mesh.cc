@@ -56,7 +56,7 @@ void Mesh<dim>::read(const std::string& folder)
   WholeMesh<dim> whole;
   on_rank_0(communicator(), [&]() {
     whole = WholeMesh<dim>(read_gmsh(path(folder), parameters, refinements, dim));
-    if (imperfection != 0.)
+    if (imperfection != 0. || !imperfection_shape.empty())
       whole.displace(imperfection, imperfection_shape);
     table = whole.table();
   });
@@ -127,6 +127,9 @@ template <int dim>
 const std::vector<typename Mesh<dim>::Entity>& Mesh<dim>::surface(const std::string& name,
                                                                   const std::string& place) const
 {
+  if (name.empty())
+    throw InputError(place + ": it is empty or missing; write one of " +
+                     comma_separated(surface_names()));
   const auto found = surfaces.find(name);
   if (found == surfaces.end())
     throw InputError(place + ": the mesh has no surface '" + name + "'" +

@@ -95,7 +95,8 @@ void Checkpoints::find_newest(std::vector<std::string>& damaged)
   newest.reset();
   searched = true;
   for (const unsigned int place : {0u, 1u}) {
-    if (!std::filesystem::exists(name(place)))
+    std::error_code unreachable;
+    if (!std::filesystem::exists(name(place), unreachable))
       continue;
     if (const auto found = content(name(place)); !found || found->number % 2 != place)
       damaged.push_back(name(place));
@@ -114,7 +115,9 @@ std::optional<std::string> Checkpoints::read(std::vector<std::string>& damaged)
 
 bool Checkpoints::exist() const
 {
-  return std::filesystem::exists(name(0)) || std::filesystem::exists(name(1));
+  std::error_code unreachable;
+  return std::filesystem::exists(name(0), unreachable) ||
+         std::filesystem::exists(name(1), unreachable);
 }
 
 void Checkpoints::remove() const

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <unistd.h>
 
 namespace thelma
 {
@@ -16,6 +17,9 @@ void create_folder(const std::string& folder)
   if (error)
     throw InputError("command line, --output: cannot create the folder '" + folder + "' (" +
                      error.message() + "); choose another one");
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+    throw InputError("command line, --output: cannot write into the folder '" + folder +
+                     "'; choose another one");
 }
 
 void write_file(const std::string& file, const std::string& content)

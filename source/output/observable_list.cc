@@ -9,25 +9,33 @@ template <int dim>
 const NamedList<Observable<dim>>& observables()
 {
   static const NamedList<Observable<dim>> list = []() {
-    std::vector<std::pair<std::string, typename NamedList<Observable<dim>>::Factory>> entries{
-        {"charge", make_charge<dim>},
-        {"electrodes", make_electrodes<dim>},
-        {"energy", make_energy<dim>},
-        {"reaction", make_reaction<dim>},
-        {"volume", make_volume<dim>},
-        {"enclosed_volume", make_enclosed_volume<dim>},
-        {"det_F", make_det_F<dim>},
-        {"breakdown", make_breakdown<dim>},
-        {"ledger", make_ledger<dim>},
-        {"probe", make_probe<dim>},
-        {"temperature_range", make_temperature_range<dim>}};
+    std::vector<typename NamedList<Observable<dim>>::Entry> entries{
+        {{"charge", "that the voltage has moved, and the capacitance"}, make_charge<dim>},
+        {{"electrodes", "potential, charge and capacitance of each"}, make_electrodes<dim>},
+        {{"energy", "stored, elastic and electric"}, make_energy<dim>},
+        {{"reaction", "force of the supports of a surface, line or point"}, make_reaction<dim>},
+        {{"volume", "of the deformed over that of the undeformed body"}, make_volume<dim>},
+        {{"enclosed_volume", "between a surface and the symmetry planes"},
+         make_enclosed_volume<dim>},
+        {{"det_F", "the largest; the smallest is in every curve"}, make_det_F<dim>},
+        {{"breakdown", "largest true electric field and its ratio to what the material stands"},
+         make_breakdown<dim>},
+        {{"ledger", "first and second law: what is stored, came in, was produced, is missing"},
+         make_ledger<dim>},
+        {{"probe", "mean potential and temperature of a surface, line or point"}, make_probe<dim>},
+        {{"temperature_range", "lowest and highest temperature"}, make_temperature_range<dim>}};
     for (const std::string name : {"tip", "centre"})
-      entries.emplace_back(name, [name]() { return make_displacement<dim>(name); });
+      entries.push_back({{name, "mean displacement of a surface, line or point"},
+                         [name]() { return make_displacement<dim>(name); }});
     for (const std::string name : {"mid_rotation", "end_rotation"})
-      entries.emplace_back(name, [name]() { return make_rotation<dim>(name); });
-    for (unsigned int i = 0; i < dim; ++i)
-      entries.emplace_back("lambda_" + std::to_string(axis<dim>(i) + 1),
-                           [i]() { return make_stretch<dim>(i); });
+      entries.push_back({{name, "rotation about x2 of a section x3 = const"},
+                         [name]() { return make_rotation<dim>(name); }});
+    for (unsigned int i = 0; i < dim; ++i) {
+      const std::string number = std::to_string(axis<dim>(i) + 1);
+      entries.push_back(
+          {{"lambda_" + number, "mean stretch along x" + number + " between two surfaces"},
+           [i]() { return make_stretch<dim>(i); }});
+    }
     return NamedList<Observable<dim>>("unknown observable", entries);
   }();
   return list;

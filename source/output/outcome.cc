@@ -29,7 +29,7 @@ void Expectations::declare(dealii::ParameterHandler& prm)
                     "Expected values in the last row of the curve, as `column: expression`; an "
                     "expression may contain theta, the temperature in K.",
                     Map(Anything(), Anything(), 0, 100));
-  prm.add_parameter("Relative tolerance", tolerance, "Of the expected values.", Double(0.));
+  prm.add_parameter("Relative tolerance", tolerance, "Of the expected values.", Double(0., 1.));
 }
 
 void Expectations::setup(const std::vector<std::string>& columns, const double theta)

@@ -1,8 +1,6 @@
 #include <thelma/fields/named_dofs.h>
 #include <thelma/output/observables.h>
 
-#include <deal.II/base/mpi.h>
-
 namespace thelma
 {
 namespace
@@ -35,13 +33,9 @@ public:
 
   std::vector<double> evaluate(const Scene<dim>& scene) override
   {
-    const auto owned = scene.layout.dof_handler().locally_owned_dofs();
-    std::vector<double> sums(dofs.size(), 0.), means(dofs.size());
-    for (std::size_t f = 0; f < dofs.size(); ++f)
-      for (const auto dof : dofs[f])
-        if (owned.is_element(dof))
-          sums[f] += scene.state.x(dof) / dofs[f].size();
-    dealii::Utilities::MPI::sum(sums, scene.layout.communicator(), means);
+    std::vector<double> means;
+    for (const auto& of_field : dofs)
+      means.push_back(sum_over(of_field, scene.state.x) / of_field.size());
     return means;
   }
 

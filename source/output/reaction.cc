@@ -2,8 +2,6 @@
 #include <thelma/fields/named_dofs.h>
 #include <thelma/output/observables.h>
 
-#include <deal.II/base/mpi.h>
-
 namespace thelma
 {
 namespace
@@ -40,13 +38,9 @@ public:
 
   std::vector<double> evaluate(const Scene<dim>& scene) override
   {
-    const auto owned = scene.layout.dof_handler().locally_owned_dofs();
-    std::vector<double> sums(dim, 0.), forces(dim);
-    for (unsigned int c = 0; c < dim; ++c)
-      for (const auto dof : dofs[c])
-        if (owned.is_element(dof))
-          sums[c] += scene.system.reactions()(dof);
-    dealii::Utilities::MPI::sum(sums, scene.layout.communicator(), forces);
+    std::vector<double> forces;
+    for (const auto& of_component : dofs)
+      forces.push_back(sum_over(of_component, scene.system.reactions()));
     return forces;
   }
 

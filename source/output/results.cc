@@ -11,6 +11,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
+#include <regex>
+#include <set>
 #include <sstream>
 
 namespace thelma
@@ -30,6 +32,17 @@ bool is_younger(const std::string& file, const std::vector<std::string>& inputs)
   });
 }
 
+void remove_fields(const std::string& folder)
+{
+  const std::regex name("(fields|mode)_\\d+(\\.\\d+)?\\.p?vtu");
+  std::vector<std::string> old;
+  for (const auto& file : std::filesystem::directory_iterator(folder))
+    if (std::regex_match(file.path().filename().string(), name))
+      old.push_back(file.path().string());
+  for (const std::string& file : old)
+    remove_file(file);
+}
+
 } // namespace
 
 template <int dim>
@@ -47,11 +60,14 @@ Results<dim>::Results(const MPI_Comm comm, const ParameterFile& file, std::strin
   for (const std::string& name : observed_names)
     if (std::find(known.begin(), known.end(), name) != known.end())
       observed.emplace_back(name, observables<dim>().create(name));
-  // An unknown name is complained about once: no section is unknown because of it.
-  if (observed.size() < observed_names.size())
-    for (const std::string& name : known)
-      if (std::find(observed_names.begin(), observed_names.end(), name) == observed_names.end())
-        meant.emplace_back(name, observables<dim>().create(name));
+  // Their sections are known, so that a misspelt name is complained about once.
+  for (const std::string& name : known)
+    if (std::find(observed_names.begin(), observed_names.end(), name) == observed_names.end() &&
+        file.has_section({"Observables", name})) {
+      meant.emplace_back(name, observables<dim>().create(name));
+      if (observed.size() == observed_names.size())
+        unnamed.push_back(name);
+    }
   observed_names.clear(); // the declared default
 }
 
@@ -64,8 +80,12 @@ void Results<dim>::declare(dealii::ParameterHandler& prm)
                       "Columns of curve.csv beside the load; known: " +
                           comma_separated(observables<dim>().names()) + ".");
     prm.add_action("Observables", [](const std::string& names) {
-      for (const std::string& name : dealii::Utilities::split_string_list(names))
+      std::set<std::string> distinct;
+      for (const std::string& name : dealii::Utilities::split_string_list(names)) {
         observables<dim>().create(name); // answers an unknown one
+        if (!distinct.insert(name).second)
+          throw InputError("'" + name + "' is given twice; write every observable once");
+      }
     });
     add_quantity(prm, "Checkpoint interval", checkpoint_interval,
                  "At least so long lies between two checkpoints, from which a run that was killed "
@@ -93,6 +113,10 @@ void Results<dim>::setup(const Scene<dim>& scene, const double theta)
     for (const std::string& column : entry.second->columns())
       columns.push_back(column);
   }
+  for (const std::string& name : unnamed)
+    complaints.add("section Observables/" + name +
+                   ": the entry 'Observables' of the section Output does not name it; add '" +
+                   name + "' there, or remove this section");
   columns.emplace_back("min_det_F");
   if (scene.system.knows_stability())
     columns.emplace_back("unstable_directions");
@@ -129,6 +153,7 @@ void Results<dim>::start(const std::string& parameters, const Outcome& outcome, 
       checkpoints.remove();
       for (const std::string file : {"curve.csv", "fields.pvd", "estimate.csv"})
         remove_file(folder + "/" + file);
+      remove_fields(folder);
     }
     write_file(folder + "/used.prm", parameters);
     if (continued && !curve->empty())
@@ -243,8 +268,8 @@ void Results<dim>::print_step(const Scene<dim>& scene, const PathPoint& point,
        << "  min det F " << report.min_det_F << std::defaultfloat << std::setprecision(3)
        << "  step size " << point.step_size;
   if (point.part > 0.)
-    line << "  left at most " << std::fixed << std::setprecision(1)
-         << seconds() * (1. - point.part) / point.part << " s";
+    line << "  left at most " << std::setprecision(3) << seconds() * (1. - point.part) / point.part
+         << " s";
   console << line.str() << "\n" << std::flush;
 }
 

@@ -10,7 +10,8 @@ const NamedList<LinearSolver>& linear_solvers()
 {
   static const NamedList<LinearSolver> list(
       "section Linear solver, entry 'Solver': unknown solver",
-      {{"direct", make_direct_solver}, {"block", make_block_solver}});
+      {{{"direct", "MUMPS; counts unstable directions"}, make_direct_solver},
+       {{"block", "FGMRES with multigrid, for large bodies"}, make_block_solver}});
   return list;
 }
 

@@ -71,8 +71,15 @@ Physical Surface("bottom") = 1;
 Physical Surface("top") = b1[0];
 """
 
+# Of one that is no plane of x1 and x3, and of one that is.
+FLAT = """Point(1) = {{0, 0, 0}};
+line[] = Extrude {{1, 0, 0}} {{ Point{{1}}; Layers{{1}}; }};
+area[] = Extrude {{{0}}} {{ Line{{line[1]}}; Layers{{1}}; Recombine; }};
+Physical Surface("film") = area[1];
+"""
+
 # Faults of one file, and what the sentences, with its lines, must say.
-SEVERAL = """subsection Mesh
+NAMES = """subsection Mesh
   set File = {source}/meshes/box.geo
 end
 subsection Regions
@@ -99,11 +106,76 @@ subsection Observables
   end
 end
 """
-SENTENCES = [(":8, section Newton", "did you mean 'Tolerance'?"), (":17,", "a voltage"),
-             (":20, section Output, entry 'Observables'", "did you mean 'lambda_3'?"),
-             (":11, section Supports, entry 'Fixed'", "'x9'"),
-             (":14, section Electrodes, entry 'Potential'", "short circuit"),
-             (":24, section Observables/reaction", "'nowhere'")]
+OF_NAMES = [(":8, section Newton", "did you mean 'Tolerance'?"), (":17,", "a voltage"),
+            (":20, section Output, entry 'Observables'", "did you mean 'lambda_3'?"),
+            (":11, section Supports, entry 'Fixed'", "'x9'"),
+            (":14, section Electrodes, entry 'Potential'", "short circuit"),
+            (":24, section Observables/reaction", "'nowhere'")]
+
+# The same of values: all are found although there is no mesh.
+VALUES = """\ufeffset Dimension = 4
+subsection Mesh
+  set File = nothing.geo
+  set Parameters = L1 5
+end
+subsection Regions
+  set Materials = film: elastomer, film: elastomer
+  set Passive = a, a,
+end
+subsection Electrodes
+  set Potential = bottom: 0, top: one
+end
+subsection Supports
+  set Fixed = x1_min
+  set Moved = top: 1
+end
+subsection Temperature
+  set Value = 80 C
+  set Model = steaddy
+end
+subsection Heat
+  set Convection = top: -1
+  set Surroundings = top: 80 degF
+end
+subsection Loads
+  set Force = top: 1 0
+end
+subsection Loading
+  set Film thickness = 1,5
+  set Bracket = 5
+end
+subsection Stepping
+  set Controlled displacement = top: w3
+end
+subsection Newton
+  set Tolerance = 1e-8
+  set Tolerance = 1e-9
+end
+subsection Output
+  set Observables = charge, charge
+end
+subsection Expectations
+  set Relative tolerance = 2
+end
+"""
+OF_VALUES = [(":1,", "an integer from 2 to 3"), (":3, section Mesh", "there is no file"),
+             (":4,", "write `name: value"), (":7,", "'film' is given twice"),
+             (":11,", "each value a number"), (":14,", "must be `name: value`"),
+             (":15,", "write it as u1 2.5"), (":18,", "20 degC"), (":19,", "mean 'steady'?"),
+             (":22,", "at least 0"), (":23,", "known units: degC, "), (":26,", "3 components"),
+             (":29,", "decimal point"), (":30,", "a number from 1e-12 to 1"),
+             (":33,", "any of u1, u2, u3"), (":37,", "set on line 36 already"),
+             (":40,", "'charge' is given twice"), (":43,", "a number from 0 to 1")]
+
+# Scenes of a dimension that the mesh does not have.
+PLANE = """set Dimension = 2
+subsection Mesh
+  set File = {file}
+end
+subsection Regions
+  set Materials = film: elastomer
+end
+"""
 
 # What is wrong, the options that make it so, and what the sentence must say.
 CASES = [
@@ -122,7 +194,7 @@ CASES = [
     ("malformed value", ["--set", "Newton/Tolerance=small"], ["'small'", "number from 1e-14 to 1e-06"]),
     ("unknown region", ["--set", "Regions/Materials=foam: elastomer"], ["'foam'", "film"]),
     ("unknown surface", ["--set", "Supports/Fixed=x9: u1"], ["'x9'", "x1_min"]),
-    ("unknown material", ["--set", "Loading/Film material=rubber"], ["'rubber'", "elastomer"]),
+    ("unknown material", ["--set", "Loading/Film material=rubber"], ["Film material", "'rubber'", "elastomer"]),
     ("unknown law", ["--set", "Materials/elastomer/Elastic law=Foo"], ["'Foo'", "neo-Hookean"]),
     ("unknown observable", ["--set", "Output/Observables=phase"], ["'phase'", "charge"]),
     ("no mesh", ["--set", "Mesh/File="], ["File", "empty", "set File"]),
@@ -130,10 +202,15 @@ CASES = [
     ("folder for a mesh", ["--set", "Mesh/File={folder}"], ["there is no file"]),
     ("text for a mesh", ["--set", "Mesh/File=README.md"], ["gmsh cannot read", "more"]),
     ("unknown mesh parameter", ["--set", "Mesh/Parameters=L9: 1"], ["'L9'", "L1, L2, L3"]),
+    ("part of a cell", ["--set", "Mesh/Parameters=n1: 2.5"], ["'n1'", "2.5", "whole number"]),
+    ("no cell", ["--set", "Mesh/Parameters=n1: 0"], ["'n1'", "at least 1"]),
+    ("too many cells", ["--set", "Mesh/Refinements=12"], ["Refinements", "memory", "refine less"]),
+    ("solid scene of a plane", ["--set", "Mesh/File={folder}/plane.geo", "--set",
+                                "Mesh/Parameters="], ["plane.geo", "Dimension = 2"]),
     ("imperfection without shape", ["--set", "Mesh/Imperfection=0.1"], ["shape", "three"]),
     ("unreadable imperfection", ["--set", "Mesh/Imperfection=0.1",
                                  "--set", "Mesh/Imperfection shape=0; 0; sin(x4)"],
-     ["shape", "'sin(x4)'", "x1,x2,x3"]),
+     ["shape", "'sin(x4)'", "Unexpected token", "x1,x2,x3"]),
     ("imperfection turns cells inside out", ["--set", "Mesh/Imperfection=2",
                                              "--set", "Mesh/Imperfection shape=0; 0; -x3"],
      ["Imperfection", "inside out"]),
@@ -158,6 +235,8 @@ CASES = [
      ["cells are flat or turned inside out", "film", "mm"]),
     ("surface without cells", ["--set", "Mesh/File={folder}/stray.geo", "--set",
                                "Mesh/Parameters="], ["'stray'", "no cell"]),
+    ("electrode of both kinds", ["--set", "Electrodes/Floating=top: 1"],
+     ["Floating", "'top'", "Potential"]),
     ("no ground electrode", ["--set", "Electrodes/Potential=top: 1"], ["ground", "0"]),
     ("no driven electrode", ["--set", "Electrodes/Potential=bottom: 0"],
      ["Potential", "voltage", "multiple"]),
@@ -185,11 +264,18 @@ CASES = [
     ("comment in a value", ["--set", "Mesh/File=a#b.geo"], ["'#'", "comment"]),
     ("endless file name", ["--set", "Mesh/File=" + 300 * "a"], ["there is no file"]),
     ("surroundings of nothing", ["--set", "Heat/Surroundings=top: 300"], ["Heat", "Model"]),
+    ("observable without a place", ["--set", "Output/Observables=lambda_3, reaction"],
+     ["reaction", "'At'", "missing", "x1_min"]),
     ("stretch between one surface", ["--set", "Observables/lambda_3/To=bottom"],
      ["lambda_3", "'bottom'", "between"]),
     ("unreadable force", ["--set", "Loads/Force=top: 1 0", "--set", "Loading/Stages=force 1"],
      ["Force", "'1 0'", "3 components"]),
     ("force on an unknown surface", ["--set", "Loads/Force=x9: 1 0 0"], ["'x9'", "x1_min"]),
+    ("force that no stage applies", ["--set", "Loads/Force=top: 0 0 1"],
+     ["Force", "no stage", "force 1"]),
+    ("way that no stage goes", ["--set", "Supports/Moved=top: u3 1"],
+     ["Moved", "no stage", "move 1"]),
+    ("nothing to move", ["--set", "Loading/Stages=move 1"], ["Stages", "Supports", "Moved"]),
     ("no force to apply", ["--set", "Loading/Stages=force 1"], ["Stages", "Loads", "Force"]),
     ("controlled displacement that is held",
      ["--set", "Stepping/Controlled displacement=bottom: u3",
@@ -209,11 +295,24 @@ CASES = [
     ("unreadable amplitude", ["--set", "Temperature/Model=transient",
                               "--set", "Time/Voltage amplitude=0: 0, one: 1"],
      ["Voltage amplitude", "'0: 0, one: 1'", "time: value"]),
+    ("infinite amplitude", ["--set", "Temperature/Model=transient",
+                            "--set", "Time/Voltage amplitude=1/t"],
+     ["Voltage amplitude", "inf at t = 0"]),
+    ("wall below absolute zero", ["--set", "Temperature/Model=transient",
+                                  "--set", "Temperature/Fixed=top: 313",
+                                  "--set", "Time/Wall amplitude=-20*t"],
+     ["Wall amplitude", "313 K", "at least 1 K"]),
+    ("no heat capacity", ["--set", "Temperature/Model=transient",
+                          "--set", "Materials/elastomer/Heat capacity=0"],
+     ["Heat capacity", "positive", "transient"]),
     ("tetrahedra", ["--set", "Mesh/File={folder}/tetrahedra.geo", "--set", "Mesh/Parameters="],
      ["film", "hexahedra"]),
     ("unreadable geometry", ["--set", "Mesh/File={folder}/broken.geo"], ["broken.geo"]),
+    ("no output", ["--output", ""], ["--output", "empty"]),
     ("unwritable output", ["--output", "/proc/thelma"], ["--output", "/proc/thelma"]),
     ("repeated case", ["--sweep", "Temperature/Value=273, 273"], ["Temperature.Value=273", "once"]),
+    ("sweep of what is set", ["--sweep", "Temperature/Value=273",
+                              "--set", "Temperature/Value=293"], ["Temperature/Value", "once"]),
     ("malformed ranks per case", ["--ranks-per-case", "two"], ["--ranks-per-case", "'two'"]),
     ("too many ranks per case", ["--sweep", "Temperature/Value=273", "--ranks-per-case", "9"],
      ["--ranks-per-case", "9", "mpirun"]),
@@ -239,15 +338,30 @@ def sentences(text):
 
 def check_several(program, folder, all_ranks):
     """All faults of a file at once, each with its line."""
-    (folder / "several.prm").write_text(SEVERAL.format(source=program.source.resolve()))
-    for ranks in all_ranks:
-        code, text = complaint(program, ["--check", f"{folder}/several.prm"], ranks)
-        print(f"several at once ({ranks}):\n{text.strip()}")
-        require(code == 1, f"exit code {code}, not 1")
-        lines = sentences(text)
-        require(len(lines) == len(SENTENCES), f"{len(lines)} sentences, not {len(SENTENCES)}")
-        for place, words in SENTENCES:
-            require(any(place in line and words in line for line in lines), f"no {place} {words}")
+    source = program.source.resolve()
+    for scene, expected in (
+            (NAMES.format(source=source), OF_NAMES), (VALUES, OF_VALUES),
+            (PLANE.format(file=f"{source}/meshes/box.geo"), [(":3,", "write `set Dimension = 3`")]),
+            (PLANE.format(file="flat.geo"), [(":3,", "leaves the plane of x1 and x3")])):
+        (folder / "several.prm").write_text(scene, encoding="utf8")
+        for ranks in all_ranks:
+            code, text = complaint(program, ["--check", f"{folder}/several.prm"], ranks)
+            print(f"several at once ({ranks}):\n{text.strip()}")
+            require(code == 1, f"exit code {code}, not 1")
+            lines = sentences(text)
+            require(len(lines) == len(expected), f"{len(lines)} sentences, not {len(expected)}")
+            for place, words in expected:
+                require(any(place in line and words in line for line in lines),
+                        f"no {place} {words}")
+
+
+def check_other_file(program):
+    """Of a file that is no parameter file, not every line is complained about."""
+    code, text = complaint(program, ["--check", str(program.binary)], 1)
+    lines = sentences(text)
+    require(code == 1 and len(lines) == 21 and "more problems" in lines[-1],
+            f"exit code {code}, {len(lines)} lines")
+    require(text.isprintable() or text.replace("\n", "").isprintable(), "unprintable characters")
 
 
 def check_cases(program, folder, all_ranks):
@@ -281,7 +395,10 @@ def main():
         (Path(folder) / "two_films.geo").write_text(TWO_FILMS)
         (Path(folder) / "bow_tie.geo").write_text(BOW_TIE)
         (Path(folder) / "stray.geo").write_text(STRAY)
+        (Path(folder) / "flat.geo").write_text(FLAT.format("0, 1, 0"))
+        (Path(folder) / "plane.geo").write_text(FLAT.format("0, 0, 1"))
         check_several(program, Path(folder), all_ranks)
+        check_other_file(program)
         check_cases(program, folder, all_ranks)
 
 

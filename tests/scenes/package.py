@@ -40,6 +40,11 @@ def main():
         scene = share / "thelma/prm/planar_actuator.prm"
         subprocess.run([binary, "--check", scene], check=True)
 
+        subprocess.run([binary, scene, "--output", folder / "run"], check=True,
+                       stdout=subprocess.DEVNULL)
+        subprocess.run([folder / "bin/thelma-report", folder / "run", "--no-shapes"], check=True)
+        require((folder / "run/report.html").is_file(), "no report")
+
         known = options_in(subprocess.run([binary, "--help"], capture_output=True, text=True,
                                           check=True).stdout)
         manual = options_in((share / "man/man1/thelma.1").read_text())

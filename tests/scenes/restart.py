@@ -197,11 +197,12 @@ def stopped(runs, name, label, number=signal.SIGTERM, ranks=1):
 
 
 def check_signals_and_ranks(runs, all_ranks):
-    """SIGTERM to one rank, SIGUSR1 to mpirun; from each number of ranks to each other."""
+    """SIGTERM or Ctrl-C to one rank, SIGUSR1 to mpirun; from each number of ranks to each other."""
     for name in ("stages", "arc length", "time"):
+        alone = signal.SIGINT if name == "arc length" else signal.SIGTERM
         for before in all_ranks:
             label = f"stopped on {before}"
-            number = signal.SIGTERM if before == 1 else signal.SIGUSR1
+            number = alone if before == 1 else signal.SIGUSR1
             kept = stopped(runs, name, label, number, before)
             for after in all_ranks:
                 output = runs.folder / f"{name}, {before} to {after}"
@@ -272,6 +273,19 @@ def check_refusals(runs):
             nothing.stderr)
 
 
+def check_two_at_once(runs):
+    """No run writes into the folder of one that goes on."""
+    output = runs.folder / "in use"
+    with runs.start(output, SCENES["time"] + ["--set", "Time/Tolerance=0", "--set",
+                                              "Time/Initial step=1e-3"]) as process:
+        wait_for_rows(process, output, 2)
+        errors = runs.finish(output, [], exit_code=1)
+        require("another run writes into" in errors and errors.count("\n") == 1, errors)
+        process.send_signal(signal.SIGTERM)
+        process.communicate(timeout=60)
+    require(process.returncode == 4, f"the first run ended with {process.returncode}")
+
+
 def study_table(output):
     """study.csv without the seconds."""
     with open(output / "study.csv", newline="", encoding="utf8") as file:
@@ -317,6 +331,7 @@ def main():
         check_damage(runs)
         check_full_disk(runs)
         check_refusals(runs)
+        check_two_at_once(runs)
         check_study(runs, all_ranks[-1])
 
 

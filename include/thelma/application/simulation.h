@@ -42,7 +42,7 @@ struct SingleRun {
 bool is_finished(const ParameterFile& file, const std::string& folder);
 
 /// Read and set up the scene without running it; throws InputError with all problems, else a
-/// sentence about the mesh.
+/// sentence about the mesh and what would be modelled.
 std::string check_scene(MPI_Comm comm, const ParameterFile& file);
 
 /// Every entry of a three-dimensional scene with one material, with default, unit and meaning.

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <thelma/application/cases.h>
+#include <thelma/output/folder_lock.h>
+
+#include <optional>
 
 namespace thelma
 {
@@ -33,6 +36,7 @@ private:
 
   MPI_Comm world, group;
   std::string folder;
+  std::optional<FolderLock> lock; ///< of rank 0
   std::vector<Case> cases;
   std::vector<const Case*> unfinished;
 };

@@ -63,6 +63,8 @@ public:
 
   const std::vector<Stage>& stages() const { return stage_list; }
 
+  bool has_stage(Stage::Kind kind) const;
+
   /// Whether a stage of this kind changes this electrode.
   bool has_stage(Stage::Kind kind, const std::string& electrode) const;
 
@@ -76,6 +78,7 @@ public:
   std::string between(Stage::Kind kind, double low, double high) const;
 
 private:
+  const Material& film_of(const MaterialLibrary& materials) const;
   double read_target() const;
   void read_stages();
 

@@ -43,6 +43,9 @@ public:
   /// Heat capacity of each node in mJ/K, in the block of the temperature.
   const BlockVector& capacity() const { return capacities; }
 
+  /// Temperature in K around each surface with convection.
+  const std::map<std::string, double>& ambient_temperatures() const { return surroundings; }
+
 private:
   struct Surface {
     double flux = 0., convection = 0., ambient = 0.;

@@ -39,6 +39,10 @@ public:
   using InputError::InputError;
 };
 
+/// What to say of std::bad_alloc.
+constexpr char out_of_memory[] =
+    "out of memory; choose a coarser mesh in the section Mesh, or a machine with more";
+
 /// @p value as a sentence has it, with at most six digits: `293`, `-0.5`, `1e-09`.
 std::string as_text(double value);
 

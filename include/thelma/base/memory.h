@@ -7,4 +7,7 @@ namespace thelma
 /// heap: large arrays, which come next, do not fit into the gaps.
 void release_memory();
 
+/// What this machine has, in bytes.
+double machine_memory();
+
 } // namespace thelma

@@ -35,8 +35,9 @@ public:
   /// Throws InputError if the file cannot be read.
   ParameterFile(std::string path, const std::vector<Override>& overrides);
 
-  /// The same from memory.
-  static ParameterFile from_text(const std::string& text, const std::string& name = "parameters");
+  /// The same from memory, as if it were the file @p name; complaints name the file @p shown.
+  static ParameterFile from_text(const std::string& text, const std::string& name = "parameters",
+                                 const std::string& shown = "");
 
   /// Read only what @p declare declares, ignore everything else.
   void peek(const std::function<void(dealii::ParameterHandler&)>& declare) const;
@@ -44,6 +45,9 @@ public:
   /// Read every entry into @p prm. Throws InputError with a sentence for each that is unknown or
   /// invalid, and for each line that cannot be understood, after it has read all others.
   void read(dealii::ParameterHandler& prm) const;
+
+  /// Whether anything is set in the section @p path.
+  bool has_section(const std::vector<std::string>& path) const;
 
   /// A complaint about a section with file and line before it; any other as it is.
   std::string located(const std::string& sentence) const;
@@ -55,13 +59,18 @@ private:
 
   std::string place(unsigned int line, const std::vector<std::string>& sections) const;
 
-  std::string path;
+  std::string path, shown;
   Statements statements;
 };
 
 /// Where the @p file named in another one is: seen from the working directory or, if there is none,
 /// from @p folder, that of the other one.
 std::string located(const std::string& file, const std::string& folder);
+
+/// Let @p check look at each value of the map @p entry, of the section @p prm stands in, when it is
+/// read; what it throws gets the place added.
+void check_values(dealii::ParameterHandler& prm, const std::string& entry,
+                  const std::function<void(const std::string&)>& check);
 
 /// Enters a (possibly nested) subsection for the lifetime of the object.
 class Section

@@ -18,6 +18,9 @@ struct Unit {
   static std::optional<Unit> parse(const std::string& text);
 };
 
+/// The symbols that parse() knows and what it makes of them, for a sentence about one it does not.
+std::string known_units();
+
 /// "a voltage", "a pressure", ...; in SI units where there is no name for it.
 std::string name_of_dimension(const std::array<int, 5>& dimension);
 

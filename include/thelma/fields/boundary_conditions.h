@@ -20,11 +20,9 @@ public:
   void declare(dealii::ParameterHandler& prm);
 
   /// Find the degrees of freedom of every named surface. Throws InputError for unknown names, for
-  /// a potential without ground, or for surfaces in regions that carry no field.
+  /// a potential without ground, for surfaces in regions that carry no field, or if a body of the
+  /// mesh could move without strain.
   void setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
-
-  /// Throws InputError if a body of the mesh could move without strain.
-  void require_held(const Mesh<dim>& mesh) const;
 
   /// Zero corrections at every prescribed degree of freedom.
   const dealii::AffineConstraints<double>& constraints() const { return homogeneous; }
@@ -49,6 +47,8 @@ public:
   /// Potential unknowns of the driven electrodes with their multiple of the voltage.
   const std::map<dealii::types::global_dof_index, double>& driven() const { return driven_dofs; }
 
+  bool move() const { return !moved_supports.empty(); }
+
   /// Temperature unknowns of the walls with their value in K.
   const std::map<dealii::types::global_dof_index, double>& heated() const { return heated_dofs; }
 
@@ -62,6 +62,7 @@ private:
                   const std::string& place, unsigned int component, double value, Values& values);
   void fix_supports(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
   void fix_moved_supports(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
+  void require_held(const Mesh<dim>& mesh) const;
   void collect_driven();
   void fix_temperatures(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
 

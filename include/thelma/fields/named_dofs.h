@@ -17,9 +17,12 @@ std::set<dealii::types::global_dof_index>
 dofs_on(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string& surface,
         const std::string& place, unsigned int component);
 
-/// Directions (from 0) named by a text such as "u1 u3". Throws InputError, with @p place in the
-/// sentence.
+/// Sum of the entries @p dofs of @p x over all ranks.
+double sum_over(const std::set<dealii::types::global_dof_index>& dofs, const BlockVector& x);
+
+/// Directions (from 0) named by a text such as "u1 u3". Throws InputError, with a sentence without
+/// place.
 template <int dim>
-std::vector<unsigned int> components_named(const std::string& text, const std::string& place);
+std::vector<unsigned int> components_named(const std::string& text);
 
 } // namespace thelma

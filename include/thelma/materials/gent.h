@@ -13,6 +13,8 @@ class Gent : public ShearLaw<Gent>
 {
 public:
   static constexpr const char* name = "Gent";
+  static constexpr const char* meaning =
+      "neo-Hookean whose chains have a finite length, entry `Gent limit`";
 
   void declare(dealii::ParameterHandler& prm)
   {

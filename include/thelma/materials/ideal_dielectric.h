@@ -13,6 +13,7 @@ class IdealDielectric
 {
 public:
   static constexpr const char* name = "ideal";
+  static constexpr const char* meaning = "constant permittivity of the deformed material";
 
   void declare(dealii::ParameterHandler& prm)
   {

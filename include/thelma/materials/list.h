@@ -1,5 +1,6 @@
 #pragma once
 
+#include <thelma/base/named_list.h>
 #include <thelma/base/parameters.h>
 #include <thelma/materials/gent.h>
 #include <thelma/materials/ideal_dielectric.h>
@@ -37,8 +38,8 @@ void for_each_material(const Visitor& visit)
   std::apply([&](auto... law) { (with_elastic(law), ...); }, ElasticLaws());
 }
 
-std::vector<std::string> elastic_law_names();
-std::vector<std::string> dielectric_law_names();
+std::vector<Choice> elastic_laws();
+std::vector<Choice> dielectric_laws();
 
 /// Materials by name, and which one fills each named region of the mesh.
 class MaterialLibrary
@@ -52,12 +53,19 @@ public:
   /// Throws InputError for moduli that make no sense at @p theta.
   void check(double theta) const;
 
+  /// The same of what conducts and, if the temperature changes @p in_time, stores heat.
+  void check_heat(bool in_time) const;
+
+  /// A line for each material: where it is, its laws and moduli at @p theta in K.
+  std::vector<std::string> summary(double theta) const;
+
   /// Common temperature in K at which the undeformed materials are free of stress.
   /// Throws InputError if they differ.
   double reference_temperature() const;
 
   const Material& of_region(const std::string& region) const;
-  const Material& named(const std::string& name) const;
+  /// Throws InputError, with @p place in the sentence, for an unknown name.
+  const Material& named(const std::string& name, const std::string& place) const;
   std::vector<std::string> regions() const;
   std::vector<std::string> names() const;
 
@@ -65,6 +73,7 @@ private:
   struct Entry {
     std::string elastic = NeoHookean::name, dielectric = IdealDielectric::name;
     std::unique_ptr<Material> material;
+    bool has_section = false; ///< in the file
   };
 
   void declare_regions(dealii::ParameterHandler& prm);

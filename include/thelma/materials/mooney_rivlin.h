@@ -13,6 +13,8 @@ class MooneyRivlin : public ShearLaw<MooneyRivlin>
 {
 public:
   static constexpr const char* name = "Mooney-Rivlin";
+  static constexpr const char* meaning =
+      "with a part of the second invariant, entry `Second share`";
 
   void declare(dealii::ParameterHandler& prm)
   {

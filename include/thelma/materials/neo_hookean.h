@@ -12,6 +12,7 @@ class NeoHookean : public ShearLaw<NeoHookean>
 {
 public:
   static constexpr const char* name = "neo-Hookean";
+  static constexpr const char* meaning = "W = mu/2 (I_1 - 3 - 2 ln J)";
 
   void declare(dealii::ParameterHandler& prm)
   {

@@ -49,7 +49,7 @@ private:
   std::vector<Row> rows;
 };
 
-/// Throws InputError if the folder cannot be created.
+/// Throws InputError if the folder cannot be created or written into.
 void create_folder(const std::string& folder);
 
 /// Write @p content to @p file through a temporary file, so that a reader never sees half of it.

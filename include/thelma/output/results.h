@@ -112,8 +112,9 @@ private:
   Checkpoints checkpoints;
   std::vector<std::pair<std::string, std::unique_ptr<Observable<dim>>>> observed;
   std::vector<std::pair<std::string, std::unique_ptr<Observable<dim>>>>
-      meant; ///< by an unknown name
+      meant; ///< have a section but no such name, which may be misspelt
   std::vector<std::string> observed_names;
+  std::vector<std::string> unnamed; ///< the same, where no name is misspelt
   FieldWriter<dim> fields;
   Expectations expectations;
   std::unique_ptr<Curve> curve;
