@@ -138,8 +138,8 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::solve(const Plane& pla
   return examine(plane, found) ? Solution(found) : Solution();
 }
 
-/// Whether the tangent has a solution. Near a bifurcation noise hardly shows in the residual: the
-/// fresh tangent also corrects once more, unless it is so near that this itself makes noise.
+/// Near a bifurcation noise hardly shows in the residual: the fresh tangent also corrects once
+/// more, unless it is so near that this itself makes noise.
 template <int dim>
 bool PathFollowing<dim>::examine(const Plane& plane, PathState& found)
 {

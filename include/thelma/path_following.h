@@ -94,6 +94,7 @@ private:
   Solution advance();
 
   /// Tangent, slope and count of unstable directions at the iterate; @p plane faces forward.
+  /// Whether the tangent could be factorised.
   bool examine(const Plane& plane, PathState& found);
 
   /// The state at @p place between the last two accepted states.

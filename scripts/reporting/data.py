@@ -2,6 +2,7 @@
 
 import json
 import re
+import shlex
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -16,13 +17,18 @@ class Run:
     label: str
     columns: dict  # of curve.csv: name -> list of numbers, texts for `event`
     report: dict  # run.json
-    changed: list = field(default_factory=list)  # (entry, value, default)
+    changed: list = field(default_factory=list)  # (entry, value, default, unit)
     estimates: list = field(default_factory=list)  # rows of estimate.csv
 
     @property
     def failed(self):
         """Whether the run did not end as its file expects."""
         return self.unfinished or self.report.get("exit_code", self.case.exit_code) != 0
+
+    @property
+    def plane(self):
+        """Whether the body is a section in plane strain."""
+        return any("plane strain" in line for line in self.report.get("modelled", []))
 
     @property
     def unfinished(self):
@@ -36,9 +42,11 @@ def load(directory):
         cases = study.read_study(directory)
     elif (directory / "curve.csv").is_file() or (directory / "run.json").is_file():
         cases = [study.Case(directory)]
+    elif begun := sorted(path.parent for path in directory.glob("*/curve.csv")):
+        cases = [study.Case(folder) for folder in begun]  # of a study, none of which has ended
     else:
         raise study.StudyError(f"{directory} has neither study.csv nor curve.csv; give the folder "
-                               "that --output named.")
+                               "that --output named, or wait until a case has begun.")
     runs = [read(case) for case in cases]
     if not any(run.columns or run.report for run in runs):
         raise study.StudyError(f"no case of {directory}/study.csv left anything.")
@@ -58,6 +66,15 @@ def read(case):
                changed_entries(folder / "used.prm"), estimates(folder / "estimate.csv"))
 
 
+def command(directory):
+    """The command line that started the run or the study, and where; empty if nobody knows."""
+    path = directory / "command.txt"
+    if not path.is_file():
+        return ""
+    where, *arguments = path.read_text().splitlines()
+    return f"{shlex.join(['thelma', *arguments])}, in {where}"
+
+
 def short(entry):
     """An entry without the sections that its name does not need."""
     section, _, name = entry.rpartition("/")
@@ -72,19 +89,25 @@ def plain(values):
 
 
 def changed_entries(path):
-    """Entries of used.prm that differ from their default."""
+    """Entries of used.prm that differ from their default, with the unit that the comment above
+    names."""
     if not path.is_file():
         return []
-    changed, sections = [], []
+    changed, sections, comment = [], [], ""
     for line in path.read_text().splitlines():
         line = line.strip()
+        if line.startswith("#"):
+            comment += " " + line.lstrip("# ")
+            continue
+        unit, comment = re.search(r"Unit: (?!that of)([^.,]+)[.,]", comment), ""
         if line.startswith("subsection "):
             sections.append(line[11:].strip())
         elif line == "end":
             sections.pop()
         elif found := re.match(r"set (.*?)\s*=\s*(.*?)\s*# default:\s*(.*)$", line):
             entry, value, default = found.groups()
-            changed.append(("/".join([*sections, entry]), value, default))
+            changed.append(("/".join([*sections, entry]), value, default,
+                            unit[1] if unit and unit[1] != "1" else ""))
     return changed
 
 

@@ -1,6 +1,7 @@
 """The page: one HTML file with everything in it."""
 
 import json
+import math
 from datetime import datetime
 from html import escape
 from pathlib import Path
@@ -22,8 +23,8 @@ ABSCISSAS = ("e", "voltage_kV", "time_s", "load", "step")
 def html(directory, runs, shapes):
     """The text of the page."""
     title = f"Thelma: {directory.resolve().name}"
-    sections = [summary(runs), curves(runs), gallery(shapes), convergence(runs), estimates(runs),
-                parameters(runs), timings(runs), provenance(runs)]
+    sections = [summary(runs), curves(runs), gallery(runs, shapes), convergence(runs),
+                estimates(runs), parameters(runs), timings(runs), provenance(directory, runs)]
     return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">\n'
             f'<meta name="viewport" content="width=device-width, initial-scale=1">\n'
             f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">\n'
@@ -50,24 +51,37 @@ def section(title, content):
     return f"<section><h2>{escape(title)}</h2>\n{content}\n</section>" if content else ""
 
 
+def bracket(pull_in):
+    """Its two ends, with one digit more than it takes to tell them apart."""
+    if not pull_in:
+        return ""
+    low, high = pull_in["e_below"], pull_in["e_above"]
+    if low == high:
+        return f"{low:.6g}"
+    digits = max(6, math.ceil(math.log10(abs(high / (high - low)))) + 1)
+    return f"{low:.{digits}g} to {high:.{digits}g}"
+
+
 def summary(runs):
     """How each run ended."""
     rows = []
     for run in runs:
-        report, pull_in = run.report, run.report.get("pull_in")
-        bracket = f"{pull_in['e_below']:.6g} to {pull_in['e_above']:.6g}" if pull_in else ""
+        report = run.report
         ending = ": ".join(filter(None, (report.get("outcome"), report.get("reason"))))
         if run.unfinished:
             rows.append((run.label, "", "unfinished; go on with thelma --restart", "", "", ""))
             continue
         rows.append((run.label, report.get("exit_code", run.case.exit_code),
-                     ending or run.case.outcome, bracket,
+                     ending or run.case.outcome, bracket(report.get("pull_in")),
                      report.get("steps", ""), float(report.get("seconds", 0))))
     failed = sum(run.failed for run in runs)
     words = f"{len(runs)} run{'s' if len(runs) > 1 else ''}, " + (
         f"{failed} not as expected." if failed else "all as expected.")
     head = ("run", "exit code", "outcome", "pull-in between e", "steps", "seconds")
-    return section("Outcome", f"<p>{words}</p>" + table(head, rows))
+    kept = [i for i, name in enumerate(head)
+            if name != "pull-in between e" or any(row[i] for row in rows)]
+    return section("Outcome", f"<p>{words}</p>" + table(
+        [head[i] for i in kept], [[row[i] for i in kept] for row in rows]))
 
 
 def color(index, count):
@@ -105,29 +119,41 @@ def first_of(names, known):
     return next((name for name in names if name in known), next(iter(known)))
 
 
+def varies(drawn, name):
+    """Whether a column changes along any curve."""
+    return any(len({value for value in one["columns"].get(name, []) if value is not None}) > 1
+               for one in drawn)
+
+
 def curves(runs):
     """Any column against any other."""
     drawn = series(runs)
     if not drawn:
         return ""
     known = {name: None for one in drawn for name in one["columns"]}
-    x = first_of(("time_s", *ABSCISSAS) if "time_s" in known else ABSCISSAS, known)
+    x = first_of([name for name in ("time_s", *ABSCISSAS) if varies(drawn, name)], known)
     observed = [name for name in known if name not in (*ABSCISSAS, "theta_K")]
     y = first_of((*SHOWN_FIRST, *observed), known)
     hint = ("<p>Solid: stable. Dashed: unstable. Circle: limit point or pull-in; square: bifurcation. "
             "Drag to zoom, double-click to see everything, hover for numbers, click a run in the "
             "legend to hide it.</p>")
+    if any(run.plane for run in runs):
+        hint += "<p>In plane strain charges, energies and forces are per mm of depth.</p>"
     return section("Curves", hint + chart("curves", drawn, x, y, ' data-choose="yes"'))
 
 
-def gallery(shapes):
+def gallery(runs, shapes):
     """Deformed bodies."""
+    words = "Contact is not modelled: what would touch goes through itself."
+    if any(run.plane for run in runs):
+        words += (" Plane sections, which are in plane strain, are drawn as bars a fifth of their "
+                  "length deep.")
     figures = "".join(
         f'<figure><img alt="deformed shape, {escape(label)}" '
         f'src="data:image/png;base64,{png}"><figcaption><b>{escape(label)}</b><br>{escape(words)}'
         "</figcaption></figure>\n" for label, (png, words) in shapes.items())
-    return section("Deformed shapes", figures and f'<div class="gallery n{min(len(shapes), 3)}">'
-                   f"{figures}</div>")
+    return section("Deformed shapes", figures and f"<p>{words}</p>"
+                   f'<div class="gallery n{min(len(shapes), 3)}">{figures}</div>')
 
 
 def convergence(runs):
@@ -156,27 +182,34 @@ def estimates(runs):
 
 def parameters(runs):
     """Entries that are not at their default, with those that differ between runs first."""
-    entries = {entry: default for run in runs for entry, _, default in run.changed}
-    values = {entry: [dict((e, v) for e, v, _ in run.changed).get(entry, default) for run in runs]
-              for entry, default in entries.items()}
+    known = [run for run in runs if run.changed]
+    entries = {entry: (default, unit) for run in known for entry, _, default, unit in run.changed}
+    values = {entry: [dict((e, v) for e, v, *_ in run.changed).get(entry, default) for run in known]
+              for entry, (default, _) in entries.items()}
     varied = {entry: v for entry, v in values.items() if data.common(v) is None}
-    shared = [(entry, v[0], entries[entry]) for entry, v in values.items() if entry not in varied]
+    shared = [(entry, v[0], *entries[entry]) for entry, v in values.items() if entry not in varied]
     text = ""
     if varied:
+        head = [f"{entry} ({entries[entry][1]})" if entries[entry][1] else entry for entry in varied]
         text += "<h3>Different between the runs</h3>" + table(
-            ("run", *varied), [(run.label, *(v[i] for v in varied.values()))
-                               for i, run in enumerate(runs)])
+            ("run", *head), [(run.label, *(v[i] for v in varied.values()))
+                             for i, run in enumerate(known)])
     if shared:
         text += ("<h3>The same in all runs</h3>" if varied else "") + table(
-            ("entry", "value", "default"), shared)
+            ("entry", "value", "default", "unit"), shared)
+    if text and (unknown := [run.label for run in runs if not run.changed]):
+        text += f"<p>Without used.prm: {escape('; '.join(unknown))}.</p>"
     return section("Parameters changed from their default", text)
 
 
 def timings(runs):
     """Seconds of each phase."""
     phases = {name: None for run in runs for name in run.report.get("seconds_per_phase", {})}
-    rows = [(run.label, float(run.report["seconds"]),
-             *(float(run.report["seconds_per_phase"].get(name, 0)) for name in phases),
+    def three_digits(seconds):
+        return float(f"{seconds:.3g}")
+
+    rows = [(run.label, three_digits(run.report["seconds"]),
+             *(three_digits(run.report["seconds_per_phase"].get(name, 0)) for name in phases),
              run.report.get("ranks", 1), run.report.get("cells", ""),
              sum(run.report.get("unknowns", {}).values()))
             for run in runs if "seconds_per_phase" in run.report]
@@ -184,14 +217,16 @@ def timings(runs):
     return section("Timings", rows and table(head, rows))
 
 
-def provenance(runs):
-    """What was modelled, and the versions."""
+def provenance(directory, runs):
+    """How it was started, what was modelled, and the versions."""
     reports = [run.report for run in runs if run.report]
     lines = dict.fromkeys(line for report in reports for line in report.get("modelled", []))
     versions = dict.fromkeys(f"{name} {version}" for report in reports
                              for name, version in report.get("versions", {}).items())
     scenes = dict.fromkeys(report["scene"] for report in reports if report.get("scene"))
-    items = [f"scene: {scene}" for scene in scenes] + list(lines) + list(versions)
+    started = data.command(directory)
+    items = [f"started by: {started}"] if started else []
+    items += [f"scene: {scene}" for scene in scenes] + list(lines) + list(versions)
     items.append(f"this page: {datetime.now().isoformat(' ', 'minutes')}")
     return section("Model and versions",
                    "<ul>" + "".join(f"<li>{escape(item)}</li>" for item in items) + "</ul>")

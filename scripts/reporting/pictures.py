@@ -41,7 +41,7 @@ def has_fields(folder):
 
 def width(run):
     """Of a body drawn from a plane: a fifth of the geometry's largest length."""
-    entries = dict((entry, value) for entry, value, _ in run.changed)
+    entries = dict((entry, value) for entry, value, *_ in run.changed)
     lengths = [float(x) for x in re.findall(r"\bL\d?: ([\d.]+)", entries.get("Mesh/Parameters", ""))]
     return max(lengths) / 5 if lengths else None
 

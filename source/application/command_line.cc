@@ -193,9 +193,9 @@ Simulates dielectric elastomer actuators: finite deformation, electric field, te
 A sweep leaves a folder per run and study.csv, a row per run. Started again, it runs only what is
 not finished or what has changed since.
 
-A run writes a checkpoint every minute (entry Output/Checkpoint interval), and one when SIGTERM or
-Ctrl-C, or SIGUSR1 to mpirun, stops it. After that, kill -9 or a full disk, --restart goes on from the newest
-one, on any number of ranks; without one it begins anew.
+A run writes a checkpoint every minute (entry Output/Checkpoint interval), and one when Ctrl-C or
+SIGTERM, or SIGUSR1 to mpirun, stops it. After that, kill -9 or a full disk, --restart goes on from
+the newest one, on any number of ranks; without one it begins anew.
 
 Examples
   thelma prm/planar_actuator.prm

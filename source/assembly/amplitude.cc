@@ -18,7 +18,10 @@ Amplitude::Amplitude(const std::string& place, const std::string& text)
   try {
     for (const std::string& row : dealii::Utilities::split_string_list(text)) {
       const std::size_t colon = std::min(row.find(':'), row.size() - 1);
-      rows[Quantity("s").value(row.substr(0, colon))] = Quantity("1").value(row.substr(colon + 1));
+      const double time = Quantity("s").value(row.substr(0, colon)),
+                   value = Quantity("1").value(row.substr(colon + 1));
+      if (!rows.emplace(time, value).second)
+        throw InputError("the time " + as_text(time) + " s is given twice");
     }
   } catch (const InputError& error) {
     throw InputError(place + ": cannot read the table '" + text +

@@ -12,6 +12,8 @@ from pathlib import Path
 
 from scene import program_and_ranks, require
 
+SCRIPT = str(Path(__file__).resolve().parents[2] / "scripts/report")
+
 # What a user does, done to the page; the answers become attributes of its body.
 ACTIONS = """<script>
 window.addEventListener("load", () => {
@@ -49,8 +51,7 @@ def browse(browser, page):
 
 def check(browser, folder, curves, dashed):
     """Makes and loads the page of a folder; requires so many curves, of which some are dashed."""
-    subprocess.run([sys.executable, str(Path(__file__).resolve().parents[2] / "scripts/report"),
-                    str(folder)], check=True)
+    subprocess.run([SCRIPT, str(folder)], check=True)
     text = (folder / "report.html").read_text()
     addresses = set(re.findall(r"https?://[^\"'\s)]+", text)) - {"http://www.w3.org/2000/svg"}
     require(not addresses, f"the page names {addresses}")
@@ -67,6 +68,29 @@ def check(browser, folder, curves, dashed):
         require(f'data-{answer}="true"' in document, f"the chart is not {answer}")
     require(re.search(r'data-hover="[^"]*e: [\d.]+', document), "nothing told where one points")
     print(f"{folder.name}: {len(found)} curves, {len(text) // 1024} kB")
+
+
+def check_bad_case(program, folder):
+    """One case of bad input leaves the others' parameters as they are; without study.csv, as after
+    a kill before the first case ends, what has begun is shown."""
+    program.run("planar_actuator", folder, "--sweep", "Temperature/Value=273,-5,353", exit_code=1)
+    subprocess.run([SCRIPT, str(folder), "--no-shapes"], check=True)
+    text = (folder / "report.html").read_text()
+    different = text[text.index("Different between the runs"):text.index("The same in all runs")]
+    require(re.findall(r"<th>(.*?)</th>", different) == ["run", "Temperature/Value (K)"],
+            f"other entries differ: {different}")
+    require("Without used.prm: Temperature = -5." in text, "not a word of the bad case")
+    (folder / "study.csv").unlink()
+    subprocess.run([SCRIPT, str(folder), "--no-shapes"], check=True)
+    require("2 runs" in (folder / "report.html").read_text(), "not both runs are shown")
+
+
+def check_pressure(program, folder):
+    """Where only a pressure changes, the curves are drawn against the load."""
+    program.run("balloon", folder, "--set", "Loading/Stages=pressure 0.5", "--set",
+                "Expectations/Final values=")
+    subprocess.run([SCRIPT, str(folder), "--no-shapes"], check=True)
+    require('"x": "load"' in (folder / "report.html").read_text(), "not drawn against the load")
 
 
 def main():
@@ -86,7 +110,12 @@ def main():
         program.run("bending_actuator_plane", folder / "estimate", "--estimate", "--set",
                     "Loading/Target=0.3")
         check(browser, folder / "estimate", 1, False)
-        require("tip_u1_mm" in (folder / "estimate/report.html").read_text(), "no estimates")
+        text = (folder / "estimate/report.html").read_text()
+        require("tip_u1_mm" in text, "no estimates")
+        require("plane strain" in text and "per mm of depth" in text, "not a word of the plane")
+        require("started by: thelma" in text and "--estimate" in text, "no command line")
+        check_bad_case(program, folder / "bad")
+        check_pressure(program, folder / "pressure")
 
 
 main()

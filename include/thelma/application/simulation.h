@@ -45,7 +45,8 @@ bool is_finished(const ParameterFile& file, const std::string& folder);
 /// sentence about the mesh and what would be modelled.
 std::string check_scene(MPI_Comm comm, const ParameterFile& file);
 
-/// Every entry of a three-dimensional scene with one material, with default, unit and meaning.
+/// Every entry of a three-dimensional scene with all observables and a material of each elastic
+/// law, with default, unit and meaning.
 std::string default_parameters();
 
 } // namespace thelma

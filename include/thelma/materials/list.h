@@ -64,6 +64,7 @@ public:
   double reference_temperature() const;
 
   const Material& of_region(const std::string& region) const;
+
   /// Throws InputError, with @p place in the sentence, for an unknown name.
   const Material& named(const std::string& name, const std::string& place) const;
   std::vector<std::string> regions() const;
