@@ -3,7 +3,7 @@
 // back (x1 = H), x2_min, x2_max, x3_min, x3_max. Lines: pin (x1 = H/2, x3 = 0) and tip (x3 = L).
 DefineConstant[
   L = {20, Name "L"}, W = {4, Name "W"}, H = {1, Name "H"},
-  n1 = {4, Name "n1", Min 1, Max 500, Step 1}, n2 = {8, Name "n2", Min 1, Max 500, Step 1},
+  n1 = {4, Name "n1", Min 2, Max 500, Step 2}, n2 = {8, Name "n2", Min 1, Max 500, Step 1},
   n3 = {20, Name "n3", Min 1, Max 500, Step 1}
 ];
 Point(1) = {0, 0, 0};

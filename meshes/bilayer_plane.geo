@@ -2,7 +2,7 @@
 // n3 quadrilaterals. Regions: active (x1 < H/2), passive. Curves: outer (x1 = 0), interface,
 // back (x1 = H), x3_min, x3_max. Points: pin (x1 = H/2, x3 = 0), tip (x1 = H/2, x3 = L).
 DefineConstant[
-  L = {20, Name "L"}, H = {1, Name "H"}, n1 = {4, Name "n1", Min 1, Max 500, Step 1},
+  L = {20, Name "L"}, H = {1, Name "H"}, n1 = {4, Name "n1", Min 2, Max 500, Step 2},
   n3 = {20, Name "n3", Min 1, Max 500, Step 1}
 ];
 Point(1) = {0, 0, 0};

@@ -4,7 +4,7 @@
 // Points: pin (x1 = g+H/2, x3 = 0) and tip (x1 = g, x3 = L).
 DefineConstant[
   L = {20, Name "L"}, H = {1, Name "H"}, g = {8, Name "g"},
-  n1 = {2, Name "n1", Min 1, Max 500, Step 1}, n3 = {20, Name "n3", Min 1, Max 500, Step 1}
+  n1 = {2, Name "n1", Min 2, Max 500, Step 2}, n3 = {20, Name "n3", Min 1, Max 500, Step 1}
 ];
 Point(1) = {g, 0, 0};
 lower[] = Extrude {H/2, 0, 0} { Point{1}; Layers{n1/2}; };

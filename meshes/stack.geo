@@ -6,7 +6,7 @@
 // Surfaces: ground, live, bottom (x3 = 0), top, x1_min, x1_max, x2_min. Point: centre (x2 = x3 = 0).
 DefineConstant[
   L = {10, Name "L"}, W = {6, Name "W"}, h = {0.5, Name "h"}, m = {1, Name "m"},
-  n = {4, Name "n", Min 1, Max 500, Step 1}, n1 = {8, Name "n1", Min 1, Max 500, Step 1},
+  n = {4, Name "n", Min 1, Max 500, Step 1}, n1 = {8, Name "n1", Min 2, Max 500, Step 2},
   nm = {2, Name "nm", Min 1, Max 500, Step 1}, n2 = {3, Name "n2", Min 1, Max 500, Step 1},
   n3 = {1, Name "n3", Min 1, Max 500, Step 1}
 ];

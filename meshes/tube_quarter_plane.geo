@@ -2,7 +2,7 @@
 // along the radius, n3 around the quarter. Region: wall. Curves: inner, outer, x1_axis (x3 = 0),
 // x3_axis (x1 = 0). Points on x3 = 0: inner_end, middle (half-way), outer_end.
 DefineConstant[
-  Ri = {1, Name "Ri"}, Ro = {2, Name "Ro"}, n1 = {16, Name "n1", Min 1, Max 500, Step 1},
+  Ri = {1, Name "Ri"}, Ro = {2, Name "Ro"}, n1 = {16, Name "n1", Min 2, Max 500, Step 2},
   n3 = {24, Name "n3", Min 1, Max 500, Step 1}
 ];
 Point(1) = {Ri, 0, 0};

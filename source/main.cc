@@ -2,7 +2,6 @@
 #include <thelma/application/simulation.h>
 #include <thelma/application/study.h>
 #include <thelma/base/complaints.h>
-#include <thelma/base/stop_signal.h>
 #include <thelma/base/units.h>
 #include <thelma/base/version.h>
 #include <thelma/elements/formulation.h>
@@ -100,7 +99,6 @@ int main(int argc, char** argv)
   if (openblas_set_num_threads != nullptr)
     openblas_set_num_threads(1);
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  listen_for_signals();
   const bool is_rank_0 = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   std::ostream silence(nullptr);
   try {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <regex>
 #include <sstream>
 
 namespace thelma
@@ -110,7 +111,10 @@ void Problem<dim>::find_complaints()
       const auto has = [&](const std::string& text) {
         return other.find(text) != std::string::npos;
       };
-      return has(entry) || has(guess) || (has(section) && (has("unknown ") || has("be one of ")));
+      std::smatch unread;
+      std::regex_search(other, unread, std::regex("section [^:]*, entry '[^']*'"));
+      return has(entry) || has(guess) || (has(section) && (has("unknown ") || has("be one of "))) ||
+             (!unread.empty() && sentence.find(unread.str()) != std::string::npos);
     };
     if (std::none_of(earlier.begin(), earlier.end(), explains))
       complaints.add(sentence);

@@ -18,6 +18,10 @@ void Problem<dim>::check_path() const
   if (!path_following.is_automatic() && !loading.until().empty())
     throw InputError(until + ": only a path that is followed ends so; set Stepping/Continuation to "
                              "automatic, or remove the entry");
+  if (!path_following.is_automatic() && path_following.chooses_branch())
+    throw InputError(
+        "section Stepping, entry 'Branch': only a path that is followed takes one; set "
+        "Stepping/Continuation to automatic, or remove the entry");
   for (const auto& entry : loading.until())
     results.require_column(entry.first, until);
   if (path_following.is_automatic() && layout.is_transient())

@@ -87,10 +87,10 @@ void Transient<dim>::check_walls(const double theta_start) const
   for (const double wall : walls)
     for (const double time : samples()) {
       const double there = theta_start + (*wall_amplitude)(time) * (wall - theta_start);
-      if (there < 1.)
+      if (there < 1. || there > 1e4)
         throw InputError("section Time, entry 'Wall amplitude': it takes a wall of " +
                          as_text(wall) + " K to " + as_text(there) + " K at t = " + as_text(time) +
-                         " s; temperatures are at least 1 K");
+                         " s; temperatures are at least 1 K and at most 10000 K");
     }
 }
 

@@ -47,6 +47,7 @@ public:
              const BoundaryConditions<dim>& conditions);
 
   bool is_automatic() const { return continuation == "automatic"; }
+  bool chooses_branch() const { return branch != "none"; }
 
   /// Whether a limit point announces itself on a path whose loads grow in steps of @p step.
   bool turns_soon(double step) const

@@ -1,6 +1,7 @@
 #include <thelma/application/run_command.h>
 #include <thelma/application/simulation.h>
 #include <thelma/base/error.h>
+#include <thelma/base/stop_signal.h>
 #include <thelma/output/checkpoints.h>
 #include <thelma/output/curve.h>
 #include <thelma/output/folder_lock.h>
@@ -60,6 +61,7 @@ Outcome run_scene(const MPI_Comm comm, const ParameterFile& file, const std::str
 {
   return with_problem(comm, file, folder, console, [&](auto& problem) {
     problem.setup();
+    listen_for_signals(); // before, there is nothing to keep, and a stop need not wait
     std::optional<FolderLock> lock;
     on_rank_0(comm, [&]() {
       create_folder(folder);

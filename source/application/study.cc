@@ -85,6 +85,7 @@ Outcome ended_by(const std::exception& error)
 Study::Study(const MPI_Comm world, const CommandLine& line)
     : world(world), group(MPI_COMM_NULL), folder(line.output), cases(cases_of(line))
 {
+  listen_for_signals();
   const unsigned int ranks = n_mpi_processes(world), wanted = line.ranks_per_case;
   if (wanted > ranks)
     throw InputError("command line, --ranks-per-case: " + std::to_string(wanted) +

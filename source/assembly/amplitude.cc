@@ -22,6 +22,8 @@ Amplitude::Amplitude(const std::string& place, const std::string& text)
                    value = Quantity("1").value(row.substr(colon + 1));
       if (!rows.emplace(time, value).second)
         throw InputError("the time " + as_text(time) + " s is given twice");
+      if (rows.rbegin()->first != time)
+        throw InputError("the time " + as_text(time) + " s comes after a later one");
     }
   } catch (const InputError& error) {
     throw InputError(place + ": cannot read the table '" + text +

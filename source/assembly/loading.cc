@@ -154,7 +154,9 @@ std::string Loading::between(const Stage::Kind kind, const double low, const dou
 std::string Loading::description() const
 {
   std::ostringstream text;
-  if (control == "charge")
+  if (!has_stage(Stage::Kind::voltage) && !has_stage(Stage::Kind::charge))
+    text << "loading: no stage applies a voltage or a charge";
+  else if (control == "charge")
     text << "loading: charge to " << target_charge << " uC";
   else
     text << "loading: voltage to " << target_voltage << " kV, e = " << field(target_voltage);

@@ -75,8 +75,9 @@ typename NodalHeat<dim>::Surface NodalHeat<dim>::properties(const std::string& n
   if (convects != (surroundings.count(name) > 0))
     throw InputError("section Heat, entry '" +
                      std::string(convects ? "Convection" : "Surroundings") + "': surface '" + name +
-                     "' needs both, its coefficient in 'Convection' and the temperature in "
-                     "'Surroundings'");
+                     "' needs a coefficient and a temperature around it; write the other one into "
+                     "section Heat, entry '" +
+                     std::string(convects ? "Surroundings" : "Convection") + "'");
   const auto value = [&](const std::map<std::string, double>& entries) {
     const auto found = entries.find(name);
     return found == entries.end() ? 0. : found->second;

@@ -38,8 +38,8 @@ void BoundaryConditions<dim>::declare(dealii::ParameterHandler& prm)
                       Map(Anything(), Anything(), 0, 100));
     check_values(prm, "Fixed", [](const std::string& text) { components_named<dim>(text); });
     prm.add_parameter("Moved", moved_supports,
-                      "Displacement components to which the stage `move` (Loading/Stages) takes "
-                      "surfaces, lines or points, as `grip: u1 2.5`. Unit: mm.",
+                      "A displacement component of each surface, line or point and where the "
+                      "stage `move` (Loading/Stages) takes it, as `grip: u1 2.5`. Unit: mm.",
                       Map(Anything(), Anything(), 0, 100));
     check_values(prm, "Moved", [](const std::string& text) { parse_move<dim>(text); });
   }
@@ -124,6 +124,11 @@ void BoundaryConditions<dim>::fix_moved_supports(const Mesh<dim>& mesh,
   const std::string place = "section Supports, entry 'Moved'";
   for (const auto& [surface, text] : moved_supports) {
     const auto [component, way] = parse_move<dim>(text);
+    if (const auto held = supports.find(surface); held != supports.end())
+      for (const unsigned int c : components_named<dim>(held->second))
+        if (c == component)
+          throw InputError(place + ": the entry 'Fixed' holds the same component of '" + surface +
+                           "'; leave it out there");
     fix(mesh, layout, surface, place, component, way, moved_dofs);
   }
   for (const auto& entry : moved_dofs)

@@ -107,6 +107,12 @@ void MaterialLibrary::check(const double theta) const
     require_positive("Shear modulus", entry.material->shear_modulus(theta));
     require_positive("Bulk modulus", entry.material->thermal.K);
     require_positive("Permittivity", entry.material->permittivity(theta));
+    constexpr double vacuum = 8.8541878e-6; // N/kV^2
+    const double relative = entry.material->permittivity(theta) / vacuum;
+    if (relative > 1e5)
+      throw InputError("section Materials/" + name + ", entry 'Permittivity': the value is " +
+                       as_text(relative) +
+                       " times that of vacuum; write it in N/kV^2, or with its unit F/m");
   }
 }
 

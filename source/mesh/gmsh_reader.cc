@@ -1,8 +1,14 @@
+#include <thelma/base/child_process.h>
 #include <thelma/base/complaints.h>
 #include <thelma/base/memory.h>
 #include <thelma/mesh/gmsh_reader.h>
 
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
 #include <boost/property_tree/json_parser.hpp>
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
 #include <gmsh.h>
 
 #include <algorithm>
@@ -44,7 +50,7 @@ struct Gmsh {
   }
 };
 
-void open(const std::string& file)
+void open(const std::string& file, const std::string& entry)
 {
   std::string problem;
   try {
@@ -54,12 +60,13 @@ void open(const std::string& file)
     problem = error.what();
   }
   if (!problem.empty())
-    throw InputError("section Mesh, entry 'File': gmsh cannot read '" + file + "': " + problem);
+    throw InputError("section Mesh, entry '" + entry + "': gmsh cannot read '" + file +
+                     (entry == "File" ? "': " : "' with these: ") + problem);
 }
 
-/// Numbers of cells and the like are declared with `Step 1`: throws InputError unless @p value is
-/// whole and between the Min and the Max of the parameter @p name. (To a parameter without any of
-/// these gmsh gives limits of its own, which mean nothing, and another step.)
+/// Numbers of cells and the like are declared with a whole Step: throws InputError unless @p value
+/// is a multiple of it and between the Min and the Max of the parameter @p name. (To a parameter
+/// without any of these gmsh gives limits of its own, which mean nothing, and no whole step.)
 void require_allowed(const std::string& file, const std::string& name, const double value)
 {
   std::string description;
@@ -71,10 +78,11 @@ void require_allowed(const std::string& file, const std::string& name, const dou
     throw InputError("section Mesh, entry 'Parameters': '" + name + "' of '" + file + "' is " +
                      as_text(value) + " but must be " + remedy);
   };
-  if (parameter.get("step", 0.) != 1.)
+  const double step = parameter.get("step", 0.);
+  if (step < 1. || step != std::round(step))
     return;
-  if (value != std::round(value))
-    refuse("a whole number");
+  if (std::fmod(value, step) != 0.)
+    refuse(step == 1. ? "a whole number" : "a multiple of " + as_text(step));
   if (const double least = parameter.get("min", value); value < least)
     refuse("at least " + as_text(least));
   if (const double most = parameter.get("max", value); value > most)
@@ -237,20 +245,14 @@ void require_plane(const std::string& file, const CoarseMesh& mesh)
                      "draw it with the second coordinate 0");
 }
 
-} // namespace
-
-CoarseMesh read_gmsh(const std::string& file, const std::map<std::string, double>& parameters,
+CoarseMesh read_here(const std::string& file, const std::map<std::string, double>& parameters,
                      const unsigned int refinements, const int dim)
 {
-  std::error_code unreachable;
-  if (!std::filesystem::is_regular_file(file, unreachable))
-    throw InputError("section Mesh, entry 'File': there is no file '" + file +
-                     "'; give a path from the working directory or from the parameter file");
   const Gmsh gmsh_session;
-  open(file);
+  open(file, "File");
   if (!parameters.empty()) {
     set_parameters(file, parameters);
-    open(file);
+    open(file, "Parameters"); // what is wrong now was not without them
   }
   generate(file, refinements, dim);
   require_dimension(file, dim);
@@ -278,6 +280,30 @@ CoarseMesh read_gmsh(const std::string& file, const std::map<std::string, double
   drop_unused_vertices(mesh, dim);
   if (dim == 2)
     require_plane(file, mesh);
+  return mesh;
+}
+
+} // namespace
+
+CoarseMesh read_gmsh(const std::string& file, const std::map<std::string, double>& parameters,
+                     const unsigned int refinements, const int dim)
+{
+  std::error_code unreachable;
+  if (!std::filesystem::is_regular_file(file, unreachable))
+    throw InputError("section Mesh, entry 'File': there is no file '" + file +
+                     "'; give a path from the working directory or from the parameter file");
+  const auto pack = [&]() {
+    const CoarseMesh mesh = read_here(file, parameters, refinements, dim);
+    std::ostringstream stream;
+    boost::archive::binary_oarchive(stream) << mesh;
+    return stream.str();
+  };
+  std::istringstream packed(
+      in_child_process(pack, machine_memory() / 2.,
+                       "section Mesh, entry 'File': gmsh fails on '" + file +
+                           "'; mend the geometry or its parameters, or choose fewer cells"));
+  CoarseMesh mesh;
+  boost::archive::binary_iarchive(packed) >> mesh;
   return mesh;
 }
 

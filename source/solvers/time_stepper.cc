@@ -17,7 +17,9 @@ void TimeStepper::declare(dealii::ParameterHandler& prm)
                     "`BDF2`: backward differences of second order, begun with one step of the "
                     "first; `backward Euler`: of first order.",
                     Selection("BDF2|backward Euler"));
-  add_quantity(prm, "Initial step", initial, "First time step.", Quantity("s", 1e-15));
+  add_quantity(prm, "Initial step", initial,
+               "First time step, of whose error nothing is known: choose it small.",
+               Quantity("s", 1e-15));
   add_quantity(prm, "Largest step", largest, "Largest time step.", Quantity("s", 1e-15));
   add_quantity(prm, "Tolerance", tolerance,
                "Error of the temperature that one time step may make (root mean square over the "

@@ -203,6 +203,13 @@ CASES = [
     ("text for a mesh", ["--set", "Mesh/File=README.md"], ["gmsh cannot read", "more"]),
     ("unknown mesh parameter", ["--set", "Mesh/Parameters=L9: 1"], ["'L9'", "L1, L2, L3"]),
     ("part of a cell", ["--set", "Mesh/Parameters=n1: 2.5"], ["'n1'", "2.5", "whole number"]),
+    ("geometry that crashes gmsh", ["--set", "Mesh/File=meshes/membrane.geo", "--set",
+                                    "Mesh/Parameters=Re: 15"], ["membrane.geo", "gmsh fails"]),
+    ("geometry that ends gmsh", ["--set", "Mesh/File={folder}/exit.geo", "--set",
+                                 "Mesh/Parameters="], ["exit.geo", "gmsh fails", "exited"]),
+    ("no length", ["--set", "Mesh/Parameters=L1: 0"], ["Parameters", "with these"]),
+    ("odd number of cells", ["--set", "Mesh/File=meshes/bilayer.geo", "--set",
+                             "Mesh/Parameters=n1: 3"], ["'n1'", "multiple of 2"]),
     ("no cell", ["--set", "Mesh/Parameters=n1: 0"], ["'n1'", "at least 1"]),
     ("too many cells", ["--set", "Mesh/Refinements=12"], ["Refinements", "memory", "refine less"]),
     ("solid scene of a plane", ["--set", "Mesh/File={folder}/plane.geo", "--set",
@@ -275,6 +282,12 @@ CASES = [
      ["Force", "no stage", "force 1"]),
     ("way that no stage goes", ["--set", "Supports/Moved=top: u3 1"],
      ["Moved", "no stage", "move 1"]),
+    ("component held and moved",
+     ["--set", "Supports/Moved=x1_min: u1 1", "--set", "Loading/Stages=move 1, voltage 1"],
+     ["Moved", "'Fixed'", "'x1_min'"]),
+    ("branch of no path", ["--set", "Stepping/Branch=plus"], ["Branch", "Continuation"]),
+    ("relative permittivity", ["--set", "Materials/elastomer/Permittivity=4.5"],
+     ["Permittivity", "vacuum", "F/m"]),
     ("nothing to move", ["--set", "Loading/Stages=move 1"], ["Stages", "Supports", "Moved"]),
     ("no force to apply", ["--set", "Loading/Stages=force 1"], ["Stages", "Loads", "Force"]),
     ("controlled displacement that is held",
@@ -395,6 +408,7 @@ def main():
         (Path(folder) / "two_films.geo").write_text(TWO_FILMS)
         (Path(folder) / "bow_tie.geo").write_text(BOW_TIE)
         (Path(folder) / "stray.geo").write_text(STRAY)
+        (Path(folder) / "exit.geo").write_text("Exit;\n")
         (Path(folder) / "flat.geo").write_text(FLAT.format("0, 1, 0"))
         (Path(folder) / "plane.geo").write_text(FLAT.format("0, 0, 1"))
         check_several(program, Path(folder), all_ranks)
