@@ -22,8 +22,8 @@ class Run:
 
     @property
     def failed(self):
-        """Whether the run did not end as its file expects."""
-        return self.unfinished or self.report.get("exit_code", self.case.exit_code) != 0
+        """Whether the run ended otherwise than its file expects."""
+        return self.report.get("exit_code", self.case.exit_code) != 0
 
     @property
     def plane(self):
@@ -39,18 +39,25 @@ class Run:
 def load(directory):
     """The runs of a folder; at least one of them left something to show."""
     if (directory / "study.csv").is_file():
-        cases = study.read_study(directory)
+        cases = study.read_study(directory) + unfinished(directory)
     elif (directory / "curve.csv").is_file() or (directory / "run.json").is_file():
         cases = [study.Case(directory)]
-    elif begun := sorted(path.parent for path in directory.glob("*/curve.csv")):
-        cases = [study.Case(folder) for folder in begun]  # of a study, none of which has ended
+    elif (directory / "command.txt").is_file():
+        cases = unfinished(directory)
     else:
         raise study.StudyError(f"{directory} has neither study.csv nor curve.csv; give the folder "
-                               "that --output named, or wait until a case has begun.")
+                               "that --output named.")
     runs = [read(case) for case in cases]
     if not any(run.columns or run.report for run in runs):
-        raise study.StudyError(f"no case of {directory}/study.csv left anything.")
+        raise study.StudyError(f"nothing in {directory} has a first step to show; wait, or "
+                               "start it again if it was killed.")
     return runs
+
+
+def unfinished(directory):
+    """Cases of a study that run, wait or were killed: study.csv has a row only for what ended."""
+    return [study.Case(folder) for folder in sorted(directory.glob("*=*"))
+            if not (folder / "run.json").is_file()]
 
 
 def read(case):
@@ -99,7 +106,7 @@ def changed_entries(path):
         if line.startswith("#"):
             comment += " " + line.lstrip("# ")
             continue
-        unit, comment = re.search(r"Unit: (?!that of)([^.,]+)[.,]", comment), ""
+        unit, comment = re.search(r"Unit: (.+?)\.( |$)", comment), ""
         if line.startswith("subsection "):
             sections.append(line[11:].strip())
         elif line == "end":
@@ -107,7 +114,7 @@ def changed_entries(path):
         elif found := re.match(r"set (.*?)\s*=\s*(.*?)\s*# default:\s*(.*)$", line):
             entry, value, default = found.groups()
             changed.append(("/".join([*sections, entry]), value, default,
-                            unit[1] if unit and unit[1] != "1" else ""))
+                            unit[1] if unit else ""))
     return changed
 
 

@@ -1,7 +1,6 @@
 """The page: one HTML file with everything in it."""
 
 import json
-import math
 from datetime import datetime
 from html import escape
 from pathlib import Path
@@ -56,10 +55,25 @@ def bracket(pull_in):
     if not pull_in:
         return ""
     low, high = pull_in["e_below"], pull_in["e_above"]
-    if low == high:
+    if low == high:  # the limit point of a path
         return f"{low:.6g}"
-    digits = max(6, math.ceil(math.log10(abs(high / (high - low)))) + 1)
+    digits = next((n for n in range(5, 17) if f"{low:.{n}g}" != f"{high:.{n}g}"), 16) + 1
     return f"{low:.{digits}g} to {high:.{digits}g}"
+
+
+def ending(run):
+    """How a run ended and why; what ends it before its target, as Loading/Until, is a reason."""
+    if run.unfinished:
+        return "unfinished; go on with thelma --restart" if run.columns else "not begun"
+    name, reason = run.report.get("outcome"), run.report.get("reason")
+    if reason and name == "target reached":
+        return reason
+    return ": ".join(filter(None, (name, reason))) or run.case.outcome
+
+
+def three_digits(seconds):
+    """Of a wall time, which varies by more from run to run."""
+    return float(f"{seconds:.3g}")
 
 
 def summary(runs):
@@ -67,16 +81,14 @@ def summary(runs):
     rows = []
     for run in runs:
         report = run.report
-        ending = ": ".join(filter(None, (report.get("outcome"), report.get("reason"))))
-        if run.unfinished:
-            rows.append((run.label, "", "unfinished; go on with thelma --restart", "", "", ""))
-            continue
-        rows.append((run.label, report.get("exit_code", run.case.exit_code),
-                     ending or run.case.outcome, bracket(report.get("pull_in")),
-                     report.get("steps", ""), float(report.get("seconds", 0))))
-    failed = sum(run.failed for run in runs)
+        code = "" if run.unfinished else report.get("exit_code", run.case.exit_code)
+        seconds = three_digits(report["seconds"]) if "seconds" in report else ""
+        rows.append((run.label, code, ending(run), bracket(report.get("pull_in")),
+                     report.get("steps", ""), seconds))
+    counts = ((sum(run.failed for run in runs), "not as expected"),
+              (sum(run.unfinished for run in runs), "not ended"))
     words = f"{len(runs)} run{'s' if len(runs) > 1 else ''}, " + (
-        f"{failed} not as expected." if failed else "all as expected.")
+        ", ".join(f"{n} {what}" for n, what in counts if n) or "all as expected") + "."
     head = ("run", "exit code", "outcome", "pull-in between e", "steps", "seconds")
     kept = [i for i, name in enumerate(head)
             if name != "pull-in between e" or any(row[i] for row in rows)]
@@ -144,7 +156,7 @@ def curves(runs):
 
 def gallery(runs, shapes):
     """Deformed bodies."""
-    words = "Contact is not modelled: what would touch goes through itself."
+    words = "Contact is not modelled: parts that would touch overlap."
     if any(run.plane for run in runs):
         words += (" Plane sections, which are in plane strain, are drawn as bars a fifth of their "
                   "length deep.")
@@ -167,7 +179,7 @@ def convergence(runs):
     head = ("run", "steps", "failed steps", "Newton iterations", "factorisations")
     return section("Convergence", chart("convergence", drawn, "step", "newton_iterations",
                                         ' data-choose="yes" data-marks="yes"')
-                   + table(head, numbers))
+                   + (table(head, numbers) if numbers else ""))
 
 
 def estimates(runs):
@@ -198,16 +210,14 @@ def parameters(runs):
         text += ("<h3>The same in all runs</h3>" if varied else "") + table(
             ("entry", "value", "default", "unit"), shared)
     if text and (unknown := [run.label for run in runs if not run.changed]):
-        text += f"<p>Without used.prm: {escape('; '.join(unknown))}.</p>"
+        text += ("<p>Without parameters, because of bad input or not begun: "
+                 f"{escape('; '.join(unknown))}.</p>")
     return section("Parameters changed from their default", text)
 
 
 def timings(runs):
     """Seconds of each phase."""
     phases = {name: None for run in runs for name in run.report.get("seconds_per_phase", {})}
-    def three_digits(seconds):
-        return float(f"{seconds:.3g}")
-
     rows = [(run.label, three_digits(run.report["seconds"]),
              *(three_digits(run.report["seconds_per_phase"].get(name, 0)) for name in phases),
              run.report.get("ranks", 1), run.report.get("cells", ""),

@@ -3,6 +3,7 @@
 Usage: report.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
 """
 
+import json
 import re
 import shutil
 import subprocess
@@ -70,27 +71,51 @@ def check(browser, folder, curves, dashed):
     print(f"{folder.name}: {len(found)} curves, {len(text) // 1024} kB")
 
 
-def check_bad_case(program, folder):
-    """One case of bad input leaves the others' parameters as they are; without study.csv, as after
-    a kill before the first case ends, what has begun is shown."""
-    program.run("planar_actuator", folder, "--sweep", "Temperature/Value=273,-5,353", exit_code=1)
+def page_of(folder):
+    """The text of the page without pictures."""
     subprocess.run([SCRIPT, str(folder), "--no-shapes"], check=True)
-    text = (folder / "report.html").read_text()
+    return (folder / "report.html").read_text()
+
+
+def check_bad_case(program, folder):
+    """One case of bad input leaves the others' parameters as they are."""
+    program.run("planar_actuator", folder, "--sweep", "Temperature/Value=273,-5,353", exit_code=1)
+    text = page_of(folder)
     different = text[text.index("Different between the runs"):text.index("The same in all runs")]
     require(re.findall(r"<th>(.*?)</th>", different) == ["run", "Temperature/Value (K)"],
             f"other entries differ: {different}")
-    require("Without used.prm: Temperature = -5." in text, "not a word of the bad case")
-    (folder / "study.csv").unlink()
-    subprocess.run([SCRIPT, str(folder), "--no-shapes"], check=True)
-    require("2 runs" in (folder / "report.html").read_text(), "not both runs are shown")
+    require("not begun: Temperature = -5." in text, "not a word of the bad case")
+
+
+def check_narrow_bracket(folder):
+    """The ends of a bracket can be told apart."""
+    path = next(folder.glob("*=273/run.json"))
+    report = json.loads(path.read_text())
+    report["pull_in"] = {"e_below": 0.6634453629, "e_above": 0.6634453651}
+    path.write_text(json.dumps(report))
+    require("0.663445363 to 0.663445365" in page_of(folder), "the bracket is rounded away")
+
+
+def check_killed(folder):
+    """Of a study killed before a case ended, what has begun is shown; if nothing has, one sentence
+    says so."""
+    for path in (folder / "study.csv", *folder.glob("*/run.json")):
+        path.unlink()
+    text = page_of(folder)
+    require("3 runs, 3 not ended." in text and "<td>not begun</td>" in text,
+            "not a word of the kill")
+    require('id="curves"' in text, "the curves that there are are not shown")
+    for path in folder.glob("*/curve.csv"):
+        path.unlink()
+    done = subprocess.run([SCRIPT, str(folder)], capture_output=True, text=True, check=False)
+    require(done.returncode == 1 and "start it again" in done.stderr, f"no remedy: {done.stderr}")
 
 
 def check_pressure(program, folder):
     """Where only a pressure changes, the curves are drawn against the load."""
     program.run("balloon", folder, "--set", "Loading/Stages=pressure 0.5", "--set",
                 "Expectations/Final values=")
-    subprocess.run([SCRIPT, str(folder), "--no-shapes"], check=True)
-    require('"x": "load"' in (folder / "report.html").read_text(), "not drawn against the load")
+    require('"x": "load"' in page_of(folder), "not drawn against the load")
 
 
 def main():
@@ -104,6 +129,8 @@ def main():
         folder = Path(name)
         program.run("hard/pull_in_loop", folder / "path")
         check(browser, folder / "path", 2, True)
+        require("target reached" not in (folder / "path/report.html").read_text(),
+                "Loading/Until is called the target")
         program.run("bending_actuator_plane", folder / "study", "--sweep",
                     "Temperature/Value=293,353", "--set", "Output/Fields=last")
         check(browser, folder / "study", 2, False)
@@ -115,6 +142,8 @@ def main():
         require("plane strain" in text and "per mm of depth" in text, "not a word of the plane")
         require("started by: thelma" in text and "--estimate" in text, "no command line")
         check_bad_case(program, folder / "bad")
+        check_narrow_bracket(folder / "bad")
+        check_killed(folder / "bad")
         check_pressure(program, folder / "pressure")
 
 
