@@ -7,7 +7,9 @@ import math
 import tempfile
 from pathlib import Path
 
-from scene import program_and_ranks, require, validated
+from scipy.optimize import brentq
+
+from scene import program_and_ranks, require, settings, validated
 import balloon_exact
 
 PRESSURE, TARGET = 0.004, 15.0  # MPa, kV of prm/balloon.prm
@@ -58,8 +60,7 @@ def check_maximum(program, folder, ranks):
                 "Expectations/Final values": "", "Output/Observables": "tip, centre, enclosed_volume"}
         if law == "Gent":
             sets["Materials/elastomer/Gent limit"] = f"{J_m}"
-        words = [word for entry in sets.items() for word in ("--set", "=".join(entry))]
-        curve = program.run("balloon", folder, *words, ranks=ranks).curve(*COLUMNS)
+        curve = program.run("balloon", folder, *settings(sets), ranks=ranks).curve(*COLUMNS)
         balloon = balloon_exact.Balloon(J_m=J_m)
         worst = 0.0
         for load, tip in list(zip(curve["load"], curve["tip_u1_mm"]))[1::ranks * ranks]:
@@ -80,6 +81,23 @@ def check_maximum(program, folder, ranks):
         require(max(map(abs, off)) < 1e-4 and worst < 5e-4, "not the exact pressure")
 
 
+def check_pull_in(program, folder):
+    """The voltage at which the largest pressure that the balloon bears is the one in it."""
+    sets = {"Loading/Target": "17 kV", "Loading/Expected end": "pull-in",
+            "Expectations/Final values": ""}
+    case = program.run("balloon", folder, *settings(sets))
+    balloon = balloon_exact.Balloon()
+    exact = brentq(lambda V: balloon.limit_point(V, 10.5, 18).pressure - PRESSURE, 16, 16.3,
+                   xtol=1e-6)
+    last = case.curve("voltage_kV", "e")
+    per_e = last["voltage_kV"][-1] / last["e"][-1]
+    below, above = (e * per_e for e in case.pull_in())
+    print(f"pull-in at 4 kPa between {below:.4f} and {above:.4f} kV, exactly {exact:.4f}")
+    validated("balloon", "pull-in voltage at 4 kPa, middle of the bracket",
+              "radial boundary value problem", (below + above) / 2 / exact - 1)
+    require(below < exact < above, "the pull-in is not in its bracket")
+
+
 def check_ledger(program, folder):
     """The inflated balloon while it is warmed from outside: the pressure does p dV, and no energy is
     missing, to the second order of BDF2."""
@@ -92,8 +110,7 @@ def check_ledger(program, folder):
                 "Time/Structural heat": "entropy", "Time/Wall amplitude": "sin(pi*t/8)^2",
                 "Output/Observables": "tip, centre, enclosed_volume, ledger",
                 "Expectations/Final values": "", "Output/Fields": "none"}
-        words = [word for entry in sets.items() for word in ("--set", "=".join(entry))]
-        curve = program.run("balloon", folder, *words).curve(
+        curve = program.run("balloon", folder, *settings(sets)).curve(
             "time_s", "enclosed_volume_mm3", "ledger_energy_missing_mJ", "ledger_load_work_mJ")
         missing.append(abs(curve["ledger_energy_missing_mJ"][-1]))
         start = list(curve["time_s"] > 0).index(True) - 1
@@ -115,6 +132,7 @@ def main():
             check_maximum(program, Path(folder) / "maximum", ranks)
     with tempfile.TemporaryDirectory() as folder:
         check_ledger(program, Path(folder))
+        check_pull_in(program, Path(folder) / "pull-in")
 
 
 main()
