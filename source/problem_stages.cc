@@ -66,30 +66,23 @@ void Problem<dim>::check_stages() const
                   "give one a multiple other than 0, or make all regions passive");
     } else if (!stage.is_ramp())
       check_change(stage, place);
-    else if (stage.kind == Stage::Kind::force && !dead_loads.exist())
-      throw InputError(place + ": 'force' has nothing to act with; name it in section Loads, entry "
-                               "'Force'");
-    else if (stage.kind == Stage::Kind::pressure && !pressure.exist())
-      throw InputError(place +
-                       ": 'pressure' has nothing to act on; name it in section Loads, entry "
-                       "'Pressure'");
-    else if (stage.kind == Stage::Kind::move && !conditions.move())
-      throw InputError(place + ": 'move' has nothing to move; name it in section Supports, entry "
-                               "'Moved'");
-  require_stage(dead_loads.exist(), Stage::Kind::force, "section Loads, entry 'Force'", "force 1");
-  require_stage(pressure.exist(), Stage::Kind::pressure, "section Loads, entry 'Pressure'",
-                "pressure 1");
-  require_stage(conditions.move(), Stage::Kind::move, "section Supports, entry 'Moved'", "move 1");
-}
-
-/// What is given but never applied is a mistake.
-template <int dim>
-void Problem<dim>::require_stage(const bool is_given, const Stage::Kind kind,
-                                 const std::string& place, const std::string& stage) const
-{
-  if (is_given && !loading.has_stage(kind))
-    throw InputError(place + ": no stage applies it; write `" + stage +
-                     "` into section Loading, entry 'Stages', or remove it");
+  struct Applied {
+    Stage::Kind kind;
+    std::string stage, entry;
+    bool is_given;
+  };
+  for (const Applied& one :
+       {Applied{Stage::Kind::force, "force", "section Loads, entry 'Force'", dead_loads.exist()},
+        Applied{Stage::Kind::pressure, "pressure", "section Loads, entry 'Pressure'",
+                pressure.exist()},
+        Applied{Stage::Kind::move, "move", "section Supports, entry 'Moved'", conditions.move()}}) {
+    if (loading.has_stage(one.kind) && !one.is_given)
+      throw InputError(place + ": '" + one.stage + "' has nothing to apply; name it in " +
+                       one.entry);
+    if (one.is_given && !loading.has_stage(one.kind))
+      throw InputError(one.entry + ": no stage applies it; write `" + one.stage +
+                       " 1` into section Loading, entry 'Stages', or remove it");
+  }
 }
 
 template <int dim>
@@ -213,8 +206,6 @@ void Problem<dim>::show_floating_voltage()
   template bool Problem<dim>::drives_an_electrode(const Stage&) const;                             \
   template void Problem<dim>::check_change(const Stage&, const std::string&) const;                \
   template void Problem<dim>::check_stages() const;                                                \
-  template void Problem<dim>::require_stage(bool, Stage::Kind, const std::string&,                 \
-                                            const std::string&) const;                             \
   template void Problem<dim>::apply_loads();                                                       \
   template void Problem<dim>::show_floating_voltage();
 INSTANTIATE(2)

@@ -41,28 +41,29 @@ void Transient<dim>::declare(dealii::ParameterHandler& prm)
 template <int dim>
 void Transient<dim>::read_amplitudes()
 {
-  const auto place = [](const std::string& entry) { return "section Time, entry '" + entry + "'"; };
-  Complaints complaints;
-  complaints.allow([&]() { voltage_amplitude.emplace(place("Voltage amplitude"), voltage_text); });
-  complaints.allow([&]() { wall_amplitude.emplace(place("Wall amplitude"), wall_text); });
-  complaints.allow([&]() { power_amplitude.emplace(place("Heat amplitude"), power_text); });
-  complaints.raise();
-  if (!layout.is_transient()) {
-    if (voltage_text != "1" || wall_text != "1" || power_text != "1" || structural_heat != "none")
-      throw InputError("section Time: nothing changes in time here; choose Model = transient in "
-                       "the section Temperature, or remove the amplitudes and the structural heat");
-    return;
-  }
-  const auto require_finite = [&](const std::string& entry, const Amplitude& amplitude) {
-    for (const double time : samples())
-      if (!std::isfinite(amplitude(time)))
-        throw InputError(place(entry) + ": it is " + as_text(amplitude(time)) + " at t = " +
-                         as_text(time) + " s; write what is a number from 0 to Time/End");
+  struct Entry {
+    std::string name;
+    const std::string& text;
+    std::optional<Amplitude>& amplitude;
   };
-  complaints.allow([&]() { require_finite("Voltage amplitude", *voltage_amplitude); });
-  complaints.allow([&]() { require_finite("Wall amplitude", *wall_amplitude); });
-  complaints.allow([&]() { require_finite("Heat amplitude", *power_amplitude); });
+  Complaints complaints;
+  for (const Entry& entry : {Entry{"Voltage amplitude", voltage_text, voltage_amplitude},
+                             Entry{"Wall amplitude", wall_text, wall_amplitude},
+                             Entry{"Heat amplitude", power_text, power_amplitude}})
+    complaints.allow([&]() {
+      const std::string place = "section Time, entry '" + entry.name + "'";
+      entry.amplitude.emplace(place, entry.text);
+      for (const double time : layout.is_transient() ? samples() : std::vector<double>())
+        if (const double value = (*entry.amplitude)(time); !std::isfinite(value))
+          throw InputError(place + ": it is " + as_text(value) + " at t = " + as_text(time) +
+                           " s; write what is a number from 0 to Time/End");
+    });
   complaints.raise();
+  if (layout.is_transient())
+    return;
+  if (voltage_text != "1" || wall_text != "1" || power_text != "1" || structural_heat != "none")
+    throw InputError("section Time: nothing changes in time here; choose Model = transient in the "
+                     "section Temperature, or remove the amplitudes and the structural heat");
 }
 
 /// Times in s at which the amplitudes are looked at before the run.

@@ -81,8 +81,6 @@ private:
   void heat();
   void set_uniform_temperature(double value);
   void check_stages() const;
-  void require_stage(bool is_given, Stage::Kind kind, const std::string& place,
-                     const std::string& stage) const;
   bool drives_an_electrode(const Stage& stage) const;
   void check_change(const Stage& stage, const std::string& place) const;
   void apply_loads();

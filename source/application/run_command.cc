@@ -34,7 +34,6 @@ void RunCommand::write(const std::string& folder) const
   std::string text = directory + "\n";
   for (const std::string& argument : arguments)
     text += argument + "\n";
-  create_folder(folder);
   write_file(folder + file_name, text);
 }
 

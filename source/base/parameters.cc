@@ -42,12 +42,11 @@ std::string in_words(const std::string& pattern)
   std::smatch found;
   if (const std::vector<std::string> known = choices(pattern); !known.empty())
     return "one of " + comma_separated(known);
-  if (std::regex_search(pattern, found, std::regex("^\\[Map of <.*>:<(.*)> of length 0...1 ")))
-    return "`name: value`" + each_value(found[1]);
-  if (std::regex_search(pattern, found, std::regex("^\\[Map of <.*>:<(.*)> of length ")))
-    return "`name: value` or several with commas between" + each_value(found[1]);
-  if (std::regex_search(pattern, found,
-                        std::regex("^\\[List of <(.*)> of length \\d+\\.\\.\\.(\\d+) ")))
+  const std::string length = " of length \\d+\\.\\.\\.(\\d+) ";
+  if (std::regex_search(pattern, found, std::regex("^\\[Map of <.*>:<(.*)>" + length)))
+    return "`name: value`" + std::string(found[2] == "1" ? "" : " or several with commas between") +
+           each_value(found[1]);
+  if (std::regex_search(pattern, found, std::regex("^\\[List of <(.*)>" + length)))
     return "a list of at most " + found[2].str() + each_value(found[1]);
   if (std::regex_search(
           pattern, found,

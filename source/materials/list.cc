@@ -24,6 +24,15 @@ std::string pattern(const std::vector<Choice>& laws)
   return names;
 }
 
+/// @p where: the circumstances, for the sentence.
+void require_positive(const std::string& material, const std::string& entry, const double value,
+                      const std::string& where)
+{
+  if (!(value > 0.))
+    throw InputError("section Materials/" + material + ", entry '" + entry + "': the value is " +
+                     as_text(value) + where + " but must be positive");
+}
+
 std::unique_ptr<Material> create(const std::string& elastic, const std::string& dielectric)
 {
   std::unique_ptr<Material> material;
@@ -99,14 +108,10 @@ void MaterialLibrary::check(const double theta) const
     throw InputError("section Regions, entry 'Materials': it is empty or missing; write `set "
                      "Materials = region: material`");
   for (const auto& [name, entry] : materials) {
-    const auto require_positive = [&, &name = name](const std::string& what, const double value) {
-      if (!(value > 0.))
-        throw InputError("section Materials/" + name + ", entry '" + what + "': the value is " +
-                         as_text(value) + " at " + as_text(theta) + " K but must be positive");
-    };
-    require_positive("Shear modulus", entry.material->shear_modulus(theta));
-    require_positive("Bulk modulus", entry.material->thermal.K);
-    require_positive("Permittivity", entry.material->permittivity(theta));
+    const std::string at = " at " + as_text(theta) + " K";
+    require_positive(name, "Shear modulus", entry.material->shear_modulus(theta), at);
+    require_positive(name, "Bulk modulus", entry.material->thermal.K, at);
+    require_positive(name, "Permittivity", entry.material->permittivity(theta), at);
     constexpr double vacuum = 8.8541878e-6; // N/kV^2
     const double relative = entry.material->permittivity(theta) / vacuum;
     if (relative > 1e5)
@@ -118,19 +123,11 @@ void MaterialLibrary::check(const double theta) const
 
 void MaterialLibrary::check_heat(const bool in_time) const
 {
-  for (const auto& [name, entry] : materials) {
-    const auto require_positive = [&, &name = name](const std::string& what, const double value,
-                                                    const std::string& model) {
-      if (!(value > 0.))
-        throw InputError("section Materials/" + name + ", entry '" + what + "': the value is " +
-                         as_text(value) + " but must be positive where the temperature is " +
-                         model);
-    };
+  for (const auto& [name, entry] : materials)
     if (in_time)
-      require_positive("Heat capacity", entry.material->thermal.c, "transient");
+      require_positive(name, "Heat capacity", entry.material->thermal.c, " in a transient scene");
     else
-      require_positive("Conductivity", entry.material->thermal.k, "steady");
-  }
+      require_positive(name, "Conductivity", entry.material->thermal.k, " in a steady scene");
 }
 
 std::vector<std::string> MaterialLibrary::summary(const double theta) const

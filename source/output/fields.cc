@@ -8,6 +8,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
+#include <filesystem>
+#include <regex>
 #include <sstream>
 
 namespace thelma
@@ -119,6 +121,18 @@ void FieldWriter<dim>::declare(dealii::ParameterHandler& prm)
       "For which accepted steps the fields are written as VTU, a file for every 16 ranks: "
       "`every`, `last` or `none`.",
       dealii::Patterns::Selection("every|last|none"));
+}
+
+template <int dim>
+void FieldWriter<dim>::remove_old(const std::string& folder)
+{
+  const std::regex name("fields\\.pvd|(fields|mode)_\\d+(\\.\\d+)?\\.p?vtu");
+  std::vector<std::string> old;
+  for (const auto& file : std::filesystem::directory_iterator(folder))
+    if (std::regex_match(file.path().filename().string(), name))
+      old.push_back(file.path().string());
+  for (const std::string& file : old)
+    remove_file(file);
 }
 
 template <int dim>

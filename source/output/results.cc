@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
-#include <regex>
 #include <set>
 #include <sstream>
 
@@ -30,17 +29,6 @@ bool is_younger(const std::string& file, const std::vector<std::string>& inputs)
     const auto change = std::filesystem::last_write_time(input, unknown);
     return !unknown && change > end;
   });
-}
-
-void remove_fields(const std::string& folder)
-{
-  const std::regex name("(fields|mode)_\\d+(\\.\\d+)?\\.p?vtu");
-  std::vector<std::string> old;
-  for (const auto& file : std::filesystem::directory_iterator(folder))
-    if (std::regex_match(file.path().filename().string(), name))
-      old.push_back(file.path().string());
-  for (const std::string& file : old)
-    remove_file(file);
 }
 
 } // namespace
@@ -147,13 +135,12 @@ void Results<dim>::start(const std::string& parameters, const Outcome& outcome, 
                          const bool continued)
 {
   on_rank_0(comm, [&]() {
-    create_folder(folder);
     remove_file(folder + "/run.json"); // the report of an earlier run
     if (!continued) {
       checkpoints.remove();
-      for (const std::string file : {"curve.csv", "fields.pvd", "estimate.csv"})
+      for (const std::string file : {"curve.csv", "estimate.csv"})
         remove_file(folder + "/" + file);
-      remove_fields(folder);
+      FieldWriter<dim>::remove_old(folder);
     }
     write_file(folder + "/used.prm", parameters);
     if (continued && !curve->empty())

@@ -19,7 +19,7 @@ struct RunCommand {
   /// Throws InputError if nothing was started into @p folder.
   static RunCommand read(const std::string& folder);
 
-  /// Throws InputError if the folder cannot be created.
+  /// Throws WriteError if there is no room in the folder.
   void write(const std::string& folder) const;
 };
 

@@ -16,6 +16,9 @@ class FieldWriter
 public:
   void declare(dealii::ParameterHandler& prm);
 
+  /// Remove what an earlier run has written; to be called by one rank.
+  static void remove_old(const std::string& folder);
+
   /// Write the state as number @p step, if fields are wanted for it.
   void write(const Scene<dim>& scene, const std::string& folder, unsigned int step, double load,
              bool last);
