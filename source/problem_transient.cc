@@ -31,7 +31,8 @@ template <int dim>
 void Problem<dim>::evolve()
 {
   part = Part::time;
-  if (!std::exchange(resumes, false))
+  // The search for the first step is not in the checkpoint; it begins anew.
+  if (!std::exchange(resumes, false) || state.path().size() == 1)
     transient.start();
   transient.heated_system().set_loads(system);
   const double full = loading.voltage(1.); // 0 where a charge is the load

@@ -114,6 +114,8 @@ void Transient<dim>::start()
     for (const auto& row : (*amplitude)->table())
       kinks.push_back(row.first);
   stepper.start(kinks);
+  longer.reset();
+  wall_parts = 1;
   state.time = 0.;
   state.start();
 }
@@ -128,13 +130,13 @@ std::vector<double> Transient<dim>::times() const
 }
 
 template <int dim>
-void Transient<dim>::prescribe(const double time)
+void Transient<dim>::prescribe(const double time, const double part)
 {
-  const double warming = (*wall_amplitude)(time);
+  const double before = warming(), warmed = before + part * ((*wall_amplitude)(time)-before);
   state.time = time;
   state.voltage = voltage_at(time);
-  conditions.apply(state.voltage, theta, warming, state.x);
-  heat.apply(theta, warming, (*power_amplitude)(time));
+  conditions.apply(state.voltage, theta, warmed, state.x);
+  heat.apply(theta, warmed, (*power_amplitude)(time));
 }
 
 template <int dim>
@@ -147,50 +149,86 @@ NewtonReport Transient<dim>::step(Predictor<dim>& predictor, const Newton& newto
                       : structural_heat == "entropy" ? StructuralHeat::entropy
                                                      : StructuralHeat::none;
   predictor.predict(time, LoadSymmetry::none);
-  prescribe(time);
-  NewtonReport report = newton.solve(system);
-  if (!report.converged || is_monolithic())
-    return report;
+  NewtonReport report;
+  for (unsigned int n = 1; n <= wall_parts; ++n) {
+    prescribe(time, static_cast<double>(n) / wall_parts);
+    NewtonReport next = newton.solve(system);
+    next.add(report);
+    if (next.converged && n == wall_parts)
+      step_error = find_error();
+    const bool deforms = !is_monolithic() && (n < wall_parts || stepper.tolerates(step_error));
+    report = next.converged && deforms ? deform(predictor, solve_deformation, next, n == 1) : next;
+    if (!report.converged)
+      break;
+  }
+  return report;
+}
+
+/// Solve for the deformation once the temperature is known, after the effort of @p warmed.
+template <int dim>
+NewtonReport Transient<dim>::deform(Predictor<dim>& predictor, const Solve& solve_deformation,
+                                    const NewtonReport& warmed, const bool extrapolates)
+{
   const std::vector<double> before = times();
-  if (std::all_of(before.begin(), before.end(),
-                  [&](const double t) { return voltage_at(t) == state.voltage; }))
+  if (extrapolates && std::all_of(before.begin(), before.end(),
+                                  [&](const double t) { return voltage_at(t) == state.voltage; }))
     predictor.follow_temperature();
   NewtonReport deformed = solve_deformation();
-  deformed.add(report);
+  deformed.add(warmed);
   return deformed;
 }
 
 template <int dim>
 bool Transient<dim>::accept()
 {
-  const std::size_t known = state.path().size();
-  const unsigned int used = std::min<std::size_t>(stepper.order(), known - 1);
-  if (!stepper.accept(used > 0 ? error(used) : 0., used)) {
+  if (!stepper.accept(step_error)) {
+    if (state.path().size() == 1)
+      longer = {state.time, state.x, {}};
     restore();
     return false;
   }
-  state.accept(state.time);
+  wall_parts = 1;
   state.inflow = system.heat_inflow();
+  state.accept(state.time);
   return true;
 }
 
-/// Root mean square over the nodes of what the step did wrong, in K.
+/// Root mean square over the nodes of the distance (K) of the temperature at one moment from the
+/// polynomial through others; nothing where it is prescribed, as at walls that jump.
 template <int dim>
-double Transient<dim>::error(const unsigned int order) const
+double Transient<dim>::distance(const Moment& moment, const std::vector<Moment>& others) const
 {
-  const unsigned int block = layout.block(Field::temperature);
-  const std::vector<double> known = times();
-  auto difference = state.x.block(block);
-  for (std::size_t k = known.size() - order - 1; k < known.size(); ++k) {
-    double weight = 1.; // of the polynomial through the newest states
-    for (std::size_t l = known.size() - order - 1; l < known.size(); ++l)
-      if (l != k)
-        weight *= (state.time - known[l]) / (known[k] - known[l]);
-    difference.add(-weight, state.path()[k].x.block(block));
+  BlockVector difference = *moment.x;
+  for (const Moment& a : others) {
+    double weight = 1.;
+    for (const Moment& b : others)
+      if (b.time != a.time)
+        weight *= (moment.time - b.time) / (a.time - b.time);
+    difference.add(-weight, *a.x);
   }
   difference.zero_out_ghost_values();
-  return error_share(state.time, known, order) * difference.l2_norm() /
-         std::sqrt(static_cast<double>(difference.size()));
+  conditions.constraints().set_zero(difference);
+  const auto& theta = difference.block(layout.block(Field::temperature));
+  return theta.l2_norm() / std::sqrt(static_cast<double>(theta.size()));
+}
+
+/// Unknown for a first step before there is a longer one to compare it with.
+template <int dim>
+std::optional<StepError> Transient<dim>::find_error() const
+{
+  const auto& path = state.path();
+  const Moment now = {state.time, &state.x};
+  if (path.size() == 1 && !longer)
+    return {};
+  if (path.size() == 1)
+    return StepError{first_error_share(state.time, longer->load) *
+                         distance({longer->load, &longer->x}, {{0., &path[0].x}, now}),
+                     1};
+  const unsigned int order = std::min<std::size_t>(stepper.order(), path.size() - 1);
+  std::vector<Moment> newest;
+  for (std::size_t k = path.size() - order - 1; k < path.size(); ++k)
+    newest.push_back({path[k].load, &path[k].x});
+  return StepError{error_share(state.time, times(), order) * distance(now, newest), order};
 }
 
 template <int dim>
@@ -198,6 +236,25 @@ void Transient<dim>::cut_back()
 {
   restore();
   stepper.cut_back();
+  constexpr unsigned int most = 16;
+  if (wall_jumps())
+    wall_parts = std::min(2 * wall_parts, most);
+}
+
+/// Part of their way that the walls have come in the last accepted state.
+template <int dim>
+double Transient<dim>::warming() const
+{
+  return state.path().size() == 1 ? 0. : (*wall_amplitude)(state.accepted_load());
+}
+
+/// Whether walls change however short the next step.
+template <int dim>
+bool Transient<dim>::wall_jumps() const
+{
+  constexpr double instant = 1e-9, smooth = 1e-6;
+  const double soon = state.accepted_load() + instant * final_time();
+  return std::abs((*wall_amplitude)(soon)-warming()) > smooth;
 }
 
 /// The newest accepted state with its own time and voltage, which fields and checkpoints tell.

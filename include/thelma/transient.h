@@ -51,7 +51,8 @@ public:
   NewtonReport step(Predictor<dim>& predictor, const Newton& newton,
                     const Solve& solve_deformation);
 
-  /// Accept the step, unless its error is too large; then the last state is back.
+  /// Accept the step, unless its error is too large or, as that of the very first try, unknown;
+  /// then the last state is back.
   bool accept();
 
   /// Return to the last accepted state and shorten the step.
@@ -70,16 +71,27 @@ public:
   template <class Archive>
   void serialize(Archive& archive, unsigned int)
   {
-    archive& stepper;
+    archive& stepper& wall_parts;
   }
 
 private:
+  /// The fields at a time in s.
+  struct Moment {
+    double time;
+    const BlockVector* x;
+  };
+
   std::vector<double> samples() const;
-  void prescribe(double time);
+  double warming() const;
+  bool wall_jumps() const;
+  void prescribe(double time, double part);
+  NewtonReport deform(Predictor<dim>& predictor, const Solve& solve_deformation,
+                      const NewtonReport& warmed, bool extrapolates);
   void restore();
   double voltage_at(double time) const { return voltage * (*voltage_amplitude)(time); }
   std::vector<double> times() const;
-  double error(unsigned int order) const;
+  double distance(const Moment& moment, const std::vector<Moment>& others) const;
+  std::optional<StepError> find_error() const;
 
   const FieldLayout<dim>& layout;
   const BoundaryConditions<dim>& conditions;
@@ -87,6 +99,12 @@ private:
   State& state;
   System<dim> system; ///< of the temperature, or of everything
   TimeStepper stepper;
+
+  std::optional<State::Accepted> longer; ///< where a first step led that was too long
+  std::optional<StepError> step_error;   ///< of the step that was tried last
+
+  /// Walls that jump do so in this many parts, as a shorter time makes no jump smaller.
+  unsigned int wall_parts = 1;
 
   std::string coupling = "staggered", structural_heat = "none";
   std::string voltage_text = "1", wall_text = "1", power_text = "1";

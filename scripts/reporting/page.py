@@ -66,7 +66,7 @@ def ending(run):
     if run.unfinished:
         return "unfinished; go on with thelma --restart" if run.columns else "not begun"
     name, reason = run.report.get("outcome"), run.report.get("reason")
-    if reason and name == "target reached":
+    if reason and (name == "target reached" or reason.startswith(name)):
         return reason
     return ": ".join(filter(None, (name, reason))) or run.case.outcome
 

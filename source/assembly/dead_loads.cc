@@ -24,16 +24,22 @@ dealii::Tensor<1, dim> parse_force(const std::string& text)
   std::vector<std::string> numbers(dim);
   for (std::string& number : numbers)
     words >> number;
-  std::string unit;
-  std::getline(words, unit);
+  std::string rest;
+  std::getline(words, rest);
+  const std::string unit = dim == 3 ? "N" : "N/mm";
+  const std::string problem = "'" + text + "' is no force; write its " + std::to_string(dim) +
+                              " components in " + unit + " with blanks between";
+  if (numbers.back().empty())
+    throw InputError(problem);
   dealii::Tensor<1, dim> force;
   try {
     for (unsigned int d = 0; d < dim; ++d)
-      force[d] = Quantity(dim == 3 ? "N" : "N/mm").value(numbers[d] + unit);
+      force[d] = Quantity(unit).value(numbers[d] + rest);
   } catch (const InputError& error) {
-    throw InputError("'" + text + "' is no force; write its " + std::to_string(dim) +
-                     " components in N with blanks between: " + error.what());
+    throw InputError(problem + ": " + error.what());
   }
+  if (force.norm() == 0.)
+    throw InputError("'" + text + "' is a force of 0; write another, or remove it");
   return force;
 }
 

@@ -92,6 +92,29 @@ double Loading::read_target() const
   }
 }
 
+/// Throws InputError for a stage that is where it goes to.
+void Loading::check_that_stages_go_anywhere() const
+{
+  std::map<Stage::Kind, double> levels{{Stage::Kind::voltage, 0.},
+                                       {Stage::Kind::charge, 0.},
+                                       {Stage::Kind::force, 0.},
+                                       {Stage::Kind::pressure, 0.},
+                                       {Stage::Kind::move, 0.}};
+  for (std::size_t n = 0; n < stage_list.size(); ++n) {
+    const Stage& stage = stage_list[n];
+    if (stage.kind == Stage::Kind::connect)
+      levels.erase(Stage::Kind::voltage); // it becomes what the electrode has
+    if (!stage.is_ramp())
+      continue;
+    const auto now = levels.find(stage.kind);
+    if (now != levels.end() && now->second == stage.level)
+      throw InputError("section Loading, entry 'Stages': '" + stage_texts[n] +
+                       "' changes nothing, as it is there already; remove it or write another "
+                       "number");
+    levels[stage.kind] = stage.level;
+  }
+}
+
 void Loading::read_stages()
 {
   const std::map<std::string, Stage::Kind> kinds{{"voltage", Stage::Kind::voltage},
@@ -119,6 +142,7 @@ void Loading::read_stages()
                        "number, or connect or disconnect with an electrode");
     stage_list.push_back(stage);
   }
+  check_that_stages_go_anywhere();
 }
 
 bool Loading::has_stage(const Stage::Kind kind) const

@@ -66,6 +66,12 @@ void NodalHeat<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout
     collect_surface(mesh, layout, name, properties(name));
   for (BlockVector* v : {&capacities, &powers, &conductances, &ambient})
     v->compress(dealii::VectorOperation::add);
+  const auto begin = capacities.get_block_indices().block_start(block);
+  const auto& nodes = *capacities.block(block).get_partitioner();
+  walls.clear();
+  for (const auto& entry : conditions.heated())
+    if (nodes.in_local_range(entry.first - begin))
+      walls.push_back(nodes.global_to_local(entry.first - begin));
 }
 
 template <int dim>
@@ -160,29 +166,38 @@ void NodalHeat<dim>::add_residual(const State& state, BlockVector& residual) con
 {
   if (!exists)
     return;
-  const auto& theta = state.x.block(block);
-  const auto& C = capacities.block(block);
-  const auto& path = state.path();
   auto& r = residual.block(block);
-  for (unsigned int i = 0; i < theta.locally_owned_size(); ++i) {
-    const double G = conductances.block(block).local_element(i);
-    r.local_element(i) += G * (theta.local_element(i) - (1. - warming) * start) -
-                          warming * ambient.block(block).local_element(i) -
-                          power * powers.block(block).local_element(i);
-    if (!state.rates)
-      continue;
-    const auto past = [&](const std::size_t k) {
-      return path[path.size() - 1 - k].x.block(block).local_element(i);
-    };
-    const double now = theta.local_element(i);
-    if (state.rates->heat == StructuralHeat::entropy)
-      r.local_element(i) +=
-          C.local_element(i) * now * state.rates->of(0., [&](const std::size_t k) {
-            return std::log1p((past(k) - now) / now);
-          });
-    else
-      r.local_element(i) += C.local_element(i) * state.rates->of(now, past);
-  }
+  for (unsigned int i = 0; i < r.locally_owned_size(); ++i)
+    r.local_element(i) += given(state, i) + storage(state, i);
+}
+
+/// What leaves a node, by its local number, through the surface less what its sources make, in mW.
+template <int dim>
+double NodalHeat<dim>::given(const State& state, const unsigned int i) const
+{
+  const double above = state.x.block(block).local_element(i) - (1. - warming) * start;
+  return conductances.block(block).local_element(i) * above -
+         warming * ambient.block(block).local_element(i) -
+         power * powers.block(block).local_element(i);
+}
+
+/// What a node stores, in mW.
+template <int dim>
+double NodalHeat<dim>::storage(const State& state, const unsigned int i) const
+{
+  if (!state.rates)
+    return 0.;
+  const auto& path = state.path();
+  const auto past = [&](const std::size_t k) {
+    return path[path.size() - 1 - k].x.block(block).local_element(i);
+  };
+  const double now = state.x.block(block).local_element(i);
+  const double rate =
+      state.rates->heat == StructuralHeat::entropy
+          ? now * state.rates->of(
+                      0., [&](const std::size_t k) { return std::log1p((past(k) - now) / now); })
+          : state.rates->of(now, past);
+  return capacities.block(block).local_element(i) * rate;
 }
 
 template <int dim>
@@ -218,12 +233,14 @@ HeatInflow NodalHeat<dim>::inflow(const State& state) const
 {
   const auto& theta = state.x.block(block);
   std::vector<double> own{0., 0.}, sum(2);
-  for (const auto i : theta.locally_owned_elements()) {
-    const double heat = power * powers.block(block)(i) + warming * ambient.block(block)(i) -
-                        conductances.block(block)(i) * (theta(i) - (1. - warming) * start);
+  const auto add = [&](const double heat, const unsigned int i) {
     own[0] += heat;
-    own[1] += heat / theta(i);
-  }
+    own[1] += heat / theta.local_element(i);
+  };
+  for (unsigned int i = 0; i < theta.locally_owned_size(); ++i)
+    add(-given(state, i), i);
+  for (const unsigned int i : walls)
+    add(-storage(state, i), i);
   dealii::Utilities::MPI::sum(own, theta.get_mpi_communicator(), sum);
   return {sum[0], sum[1]};
 }
@@ -232,12 +249,28 @@ template <int dim>
 Energies NodalHeat<dim>::stored(const State& state, const double theta_0) const
 {
   Energies sum;
-  const auto& theta = state.x.block(block);
-  for (const auto i : theta.locally_owned_elements()) {
-    sum.thermal += capacities.block(block)(i) * (theta(i) - theta_0);
-    sum.entropy += capacities.block(block)(i) * std::log(theta(i) / theta_0);
-  }
+  for (unsigned int i = 0; i < state.x.block(block).locally_owned_size(); ++i)
+    add_stored(state, theta_0, i, sum);
   return sum;
+}
+
+template <int dim>
+Energies NodalHeat<dim>::stored_in_walls(const State& state, const double theta_0) const
+{
+  Energies sum;
+  for (const unsigned int i : walls)
+    add_stored(state, theta_0, i, sum);
+  return sum;
+}
+
+template <int dim>
+void NodalHeat<dim>::add_stored(const State& state, const double theta_0, const unsigned int i,
+                                Energies& sum) const
+{
+  const double C = capacities.block(block).local_element(i);
+  const double theta = state.x.block(block).local_element(i);
+  sum.thermal += C * (theta - theta_0);
+  sum.entropy += C * std::log(theta / theta_0);
 }
 
 template class NodalHeat<2>;

@@ -50,8 +50,10 @@ public:
     // What jumps at time 0 has no rate before the first step.
     const double before = past.time > 0. ? 0.5 : 0., after = 1. - before;
     work += 0.5 * (past.voltage + now.voltage) * (now.charge - past.charge);
-    heat += dt * (before * past.inflow.heat + after * now.inflow.heat);
-    entropy += dt * (before * past.inflow.entropy + after * now.inflow.entropy);
+    heat += now.walls.thermal - past.walls.thermal +
+            dt * (before * past.inflow.heat + after * now.inflow.heat);
+    entropy += now.walls.entropy - past.walls.entropy +
+               dt * (before * past.inflow.entropy + after * now.inflow.entropy);
     produced += dt * (before * past.production + after * now.production);
     past = now;
     const Energies& e = now.stored;
@@ -84,7 +86,7 @@ public:
 
 private:
   struct Stock {
-    Energies stored;
+    Energies stored, walls; ///< of the body, of the nodes of its walls
     HeatInflow inflow;
     double time, voltage, charge, production; ///< s, kV, uC, mW/K
   };
@@ -97,19 +99,22 @@ private:
 
   Stock stock(const Scene<dim>& scene) const
   {
-    Energies own = scene.system.energies();
-    if (scene.layout.has(Field::temperature))
+    Energies own = scene.system.energies(), walls;
+    if (scene.layout.has(Field::temperature)) {
       own.add(1., scene.heat.stored(scene.state, theta_0));
-    const std::vector<double> parts{own.elastic, own.electric,  own.thermal,
-                                    own.entropy, charge(scene), production(scene)};
+      walls = scene.heat.stored_in_walls(scene.state, theta_0);
+    }
+    const std::vector<double> parts{own.elastic,   own.electric,  own.thermal,   own.entropy,
+                                    walls.thermal, walls.entropy, charge(scene), production(scene)};
     std::vector<double> total(parts.size());
     dealii::Utilities::MPI::sum(parts, scene.layout.communicator(), total);
     return {{total[0], total[1], total[2], total[3]},
+            {0., 0., total[4], total[5]},
             scene.state.inflow,
             scene.state.time,
             scene.state.voltage,
-            total[4],
-            total[5]};
+            total[6],
+            total[7]};
   }
 
   /// What dead loads and pressures have done since the last accepted state, in mJ.

@@ -18,7 +18,8 @@ void TimeStepper::declare(dealii::ParameterHandler& prm)
                     "first; `backward Euler`: of first order.",
                     Selection("BDF2|backward Euler"));
   add_quantity(prm, "Initial step", initial,
-               "First time step, of whose error nothing is known: choose it small.",
+               "First time step to try. Half of it is compared with it, and so on until the "
+               "error is within the tolerance.",
                Quantity("s", 1e-15));
   add_quantity(prm, "Largest step", largest, "Largest time step.", Quantity("s", 1e-15));
   add_quantity(prm, "Tolerance", tolerance,
@@ -44,14 +45,15 @@ double TimeStepper::next()
   return trial;
 }
 
-bool TimeStepper::accept(const double error, const unsigned int used)
+bool TimeStepper::accept(const std::optional<StepError>& error)
 {
-  constexpr double safety = 0.9, least = 0.2, most = 2.;
-  double factor = 1.;
-  if (tolerance > 0. && used > 0)
-    factor = std::clamp(safety * std::pow(tolerance / std::max(error, 1e-300), 1. / (used + 1)),
-                        least, most);
-  const bool accepted = tolerance == 0. || used == 0 || error <= tolerance;
+  constexpr double safety = 0.9, least = 0.2, most = 2., unknown = 0.5;
+  double factor = tolerance == 0. ? 1. : unknown;
+  if (tolerance > 0. && error)
+    factor = std::clamp(
+        safety * std::pow(tolerance / std::max(error->value, 1e-300), 1. / (error->order + 1)),
+        least, most);
+  const bool accepted = tolerates(error);
   const double taken = trial - time;
   if (accepted)
     time = trial;
@@ -74,6 +76,11 @@ double error_share(const double time, const std::vector<double>& times, const un
     return h / (h + H);
   const double step = h * h * H * H / (h + H), extrapolation = h * H * (time - times[n - 3]);
   return step / (step + extrapolation);
+}
+
+double first_error_share(const double time, const double longer)
+{
+  return time * time / (2. * longer * (longer - time));
 }
 
 } // namespace thelma

@@ -59,6 +59,23 @@ def check_adaptive_steps(program, folder):
     require(errors[1] < errors[0] / 3, "the error does not fall with the tolerance")
 
 
+def check_first_step(program, folder):
+    """However long the first step to try, that which is taken keeps the tolerance: 60 K arrive at
+    the wall at once."""
+    first = []
+    for initial in (1.2, 0.01, 1e-6):
+        case = program.run("verification/slab_heating", folder, "--set",
+                           f"Time/Initial step={initial}")
+        curve = case.curve("time_s", "probe_theta_K")
+        error = max(abs(theta - exact(t)) for t, theta in
+                    zip(curve["time_s"], curve["probe_theta_K"]) if t > 0)
+        first.append(curve["time_s"][1])
+        print(f"first step to try {initial:g} s: taken {first[-1]:.1e} s, {len(curve['time_s'])} "
+              f"rows, largest error {error:.3f} K")
+        require(error < 0.05, f"begun with {initial} s, the temperature is {error:.3f} K off")
+    require(first[0] < 1e-3, f"{first[0]} s are too long for a first step")
+
+
 def check_small_steps(program, folder, name, entries, bound, ranks):
     """Steps of 1e-4 of the diffusion time keep every node between the extreme temperatures."""
     step = 1e-4 * DIFFUSION_TIME
@@ -77,6 +94,7 @@ def main():
         check_order(program, folder, "backward Euler", 1)
         check_order(program, folder, "BDF2", 2)
         check_adaptive_steps(program, folder)
+        check_first_step(program, folder)
         cube = "Mesh/Parameters=L1: 0.5, L2: 0.5, L3: 0.5, n1: 6, n2: 6, n3: 6"
         for ranks in all_ranks:
             for scheme in ("backward Euler", "BDF2"):

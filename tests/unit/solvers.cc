@@ -1,8 +1,9 @@
-// The load stepper and Newton's method on systems whose answers are known by hand.
+// The steppers and Newton's method on systems whose answers are known by hand.
 
 #include <thelma/solvers/continuation.h>
 #include <thelma/solvers/newton.h>
 #include <thelma/solvers/stepper.h>
+#include <thelma/solvers/time_stepper.h>
 
 #include <gtest/gtest.h>
 
@@ -174,6 +175,32 @@ TEST(ArcStepper, GrowsAgainAfterAFailure)
   for (int n = 0; n < 20; ++n)
     stepper.cut_back();
   EXPECT_TRUE(stepper.exhausted());
+}
+
+/// Decay, x' = -x, x(0) = 1, by backward Euler, x(t) = 1/(1 + t): the first step is cut until its
+/// error is tolerable, and the estimate is that error.
+TEST(TimeStepper, JudgesTheFirstStep)
+{
+  const double tolerance = 1e-5;
+  dealii::ParameterHandler prm;
+  TimeStepper stepper;
+  stepper.declare(prm);
+  prm.parse_input_from_string("subsection Time\nset End = 10\nset Initial step = 1\n"
+                              "set Tolerance = 1e-5\nend\n");
+  stepper.start({});
+  const auto result = [](const double t) { return 1. / (1. + t); };
+  double taken = stepper.next(), longer = taken, estimate = 0.;
+  std::optional<StepError> error;
+  while (!stepper.accept(error)) {
+    longer = taken;
+    taken = stepper.next();
+    const double line = 1. + longer / taken * (result(taken) - 1.);
+    estimate = first_error_share(taken, longer) * (result(longer) - line);
+    error = StepError{estimate, 1};
+  }
+  EXPECT_LE(estimate, tolerance);
+  EXPECT_GT(estimate, tolerance / 100.);
+  EXPECT_NEAR(estimate, result(taken) - std::exp(-taken), 0.05 * estimate);
 }
 
 } // namespace

@@ -81,6 +81,7 @@ private:
   const Material& film_of(const MaterialLibrary& materials) const;
   double read_target() const;
   void read_stages();
+  void check_that_stages_go_anywhere() const;
 
   std::string control = "e", target_text = "1", expected_end = "target", film_material;
 

@@ -34,11 +34,15 @@ public:
   /// Heat flow that changes every temperature by 1 K in one time step, over all nodes (norm, mW).
   double storage_scale(const State& state) const;
 
-  /// What flows through surfaces with a flux or convection, and from sources.
+  /// What flows through surfaces with a flux or convection, and from sources, less what the nodes
+  /// of walls store.
   HeatInflow inflow(const State& state) const;
 
   /// Energy c (theta - theta_0) in mJ and entropy c ln(theta/theta_0) in mJ/K of the own nodes.
   Energies stored(const State& state, double theta_0) const;
+
+  /// The same of the own nodes of prescribed temperature.
+  Energies stored_in_walls(const State& state, double theta_0) const;
 
   /// Heat capacity of each node in mJ/K, in the block of the temperature.
   const BlockVector& capacity() const { return capacities; }
@@ -57,11 +61,15 @@ private:
   void collect_surface(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
                        const std::string& name, const Surface& surface);
   Surface properties(const std::string& name) const;
+  double given(const State& state, unsigned int i) const;
+  double storage(const State& state, unsigned int i) const;
+  void add_stored(const State& state, double theta_0, unsigned int i, Energies& sum) const;
 
   std::map<std::string, double> fluxes, convections, surroundings, sources;
 
   unsigned int block = 0;
   BlockVector capacities, powers, conductances, ambient; ///< mJ/K, mW, mW/K, K mW/K
+  std::vector<unsigned int> walls;                       ///< local numbers of the own nodes
   double start = 0., warming = 1., power = 1.;
   bool exists = false;
 };

@@ -9,7 +9,8 @@
 namespace thelma
 {
 
-/// What enters a body through its walls and from its sources.
+/// What enters a body through its walls and from its sources, but for what the nodes of walls of
+/// prescribed temperature store themselves: that has no rate where a wall jumps.
 struct HeatInflow {
   double heat = 0.;    ///< mW
   double entropy = 0.; ///< the same over the temperature where it enters, mW/K

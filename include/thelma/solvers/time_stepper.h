@@ -2,11 +2,18 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace thelma
 {
+
+/// What a time step did wrong to the temperature.
+struct StepError {
+  double value;       ///< root mean square over the nodes, in K
+  unsigned int order; ///< of the differences that made it
+};
 
 /// Chooses times between 0 and the end so that the error of each step stays below a tolerance.
 class TimeStepper
@@ -23,10 +30,15 @@ public:
   /// Next time to try, in s.
   double next();
 
-  /// Whether the @p error of the temperature (K) of the last step is small enough; if not, the
-  /// step is cut and to be taken again. @p used: the order the error belongs to, 0 for an unknown
-  /// error.
-  bool accept(double error, unsigned int used);
+  /// Whether the @p error of the step is small enough; an unknown one is not.
+  bool tolerates(const std::optional<StepError>& error) const
+  {
+    return tolerance == 0. || (error && error->value <= tolerance);
+  }
+
+  /// End the step and choose the length of the next. Returns whether its @p error is tolerated; if
+  /// not, the step is cut and to be taken again.
+  bool accept(const std::optional<StepError>& error);
 
   /// After a step that failed.
   void cut_back();
@@ -55,5 +67,10 @@ private:
 /// and the polynomial of the same order through the accepted states, given their @p times, newest
 /// last (theory.md, eq. 35).
 double error_share(double time, const std::vector<double>& times, unsigned int order);
+
+/// The same for the first step, to @p time from 0: as a part of the distance between the result of
+/// a @p longer first step and the line through the start and the result of this one (theory.md,
+/// eq. 35a).
+double first_error_share(double time, double longer);
 
 } // namespace thelma
