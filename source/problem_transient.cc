@@ -17,14 +17,17 @@ void Problem<dim>::set_uniform_temperature(const double value)
     state.theta = value;
 }
 
-/// What helps where no step from time 0 is short enough.
+/// Why no step is short enough, and what helps.
 template <int dim>
-std::string Problem<dim>::remedy() const
+std::string Problem<dim>::end_in_time(const NewtonReport& last) const
 {
-  return state.accepted_load() > 0.
-             ? ""
-             : "; against a jump at time 0 shorter steps do not help, but more Newton/Iterations "
-               "or an amplitude that rises";
+  const std::string time = as_text(state.accepted_load()) + " s";
+  if (last.converged)
+    return "beyond " + time + " no time step keeps Time/Tolerance; choose a larger one";
+  return "no stable state beyond " + time + ": " + last.reason +
+         (state.accepted_load() > 0. ? ""
+                                     : "; against a jump at time 0 more Newton/Iterations help, or "
+                                       "an amplitude that rises");
 }
 
 template <int dim>
@@ -46,18 +49,15 @@ void Problem<dim>::evolve()
       if (transient.accept()) {
         predictor.adapt(surprise);
         record(full != 0. ? state.voltage / full : 1., report);
-      } else
-        ++outcome.failed_steps;
-      continue;
+        continue;
+      }
+    } else {
+      transient.cut_back();
+      predictor.adapt(std::numeric_limits<double>::infinity());
     }
     ++outcome.failed_steps;
-    last_failure = report.reason;
-    transient.cut_back();
-    predictor.adapt(std::numeric_limits<double>::infinity());
     if (transient.exhausted()) {
-      outcome =
-          failure("no convergence", "no stable state beyond " + as_text(state.accepted_load()) +
-                                        " s: " + last_failure + remedy());
+      outcome = failure("no convergence", end_in_time(report));
       results.set_event("no convergence");
       return;
     }
@@ -91,8 +91,8 @@ Scene<dim> Problem<dim>::scene()
 
 template void Problem<2>::set_uniform_temperature(double);
 template void Problem<3>::set_uniform_temperature(double);
-template std::string Problem<2>::remedy() const;
-template std::string Problem<3>::remedy() const;
+template std::string Problem<2>::end_in_time(const NewtonReport&) const;
+template std::string Problem<3>::end_in_time(const NewtonReport&) const;
 template void Problem<2>::evolve();
 template void Problem<3>::evolve();
 template void Problem<2>::record(double, const NewtonReport&);

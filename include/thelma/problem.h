@@ -88,7 +88,7 @@ private:
   bool begin_ramp(const Stage& stage);
   void ramp(const Stage& stage);
   void show_floating_voltage();
-  std::string remedy() const;
+  std::string end_in_time(const NewtonReport& last) const;
   void evolve();
   void leave_rest(const std::function<void(double)>& prescribe);
   bool follow(Stepper& steps, LoadSymmetry symmetry, const std::function<void(double)>& prescribe,

@@ -12,20 +12,23 @@ from pathlib import Path
 from scene import program_and_ranks, require
 
 CASES = [
-    ("unexpected pull-in", 3, "pull-in", ["--set", "Loading/Expected end=target"]),
-    ("pull-in that does not come", 2, "target reached",
+    ("unexpected pull-in", "planar_actuator", 3, "pull-in", ["--set", "Loading/Expected end=target"]),
+    ("pull-in that does not come", "planar_actuator", 2, "target reached",
      ["--set", "Loading/Target=0.3", "--set", "Expectations/Final values="]),
-    ("failed expectation", 2, "pull-in", ["--set", "Expectations/Final values=e: 0.5"]),
+    ("failed expectation", "planar_actuator", 2, "pull-in",
+     ["--set", "Expectations/Final values=e: 0.5"]),
+    ("tolerance below rounding", "heated_bending", 3, "no convergence",
+     ["--set", "Time/Tolerance=1e-15", "--set", "Mesh/Parameters=n1: 4, n3: 10"]),
 ]
 
 
 def main():
     program, all_ranks = program_and_ranks(__doc__)
-    for name, code, outcome, options in CASES:
+    for name, scene, code, outcome, options in CASES:
         for ranks in all_ranks:
             with tempfile.TemporaryDirectory() as folder:
                 command = program.command(
-                    ["prm/planar_actuator.prm", "--output", folder, *options], ranks)
+                    [f"prm/{scene}.prm", "--output", folder, *options], ranks)
                 done = subprocess.run(command, cwd=program.source, capture_output=True, text=True,
                                       check=False, timeout=60)
                 report = json.loads((Path(folder) / "run.json").read_text())

@@ -2,6 +2,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,7 +45,7 @@ public:
   void cut_back();
 
   bool finished() const { return time >= end; }
-  bool exhausted() const { return size < 1e-9 * end; }
+  bool exhausted() const { return size < std::min(1e-9 * end, 1e-3 * initial); }
   double step() const { return size; }
   double final_time() const { return end; }
 
