@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace
 {
@@ -189,11 +190,10 @@ TEST(TimeStepper, JudgesTheFirstStep)
                               "set Tolerance = 1e-5\nend\n");
   stepper.start({});
   const auto result = [](const double t) { return 1. / (1. + t); };
-  double taken = stepper.next(), longer = taken, estimate = 0.;
+  double taken = stepper.next(), estimate = 0.;
   std::optional<StepError> error;
   while (!stepper.accept(error)) {
-    longer = taken;
-    taken = stepper.next();
+    const double longer = std::exchange(taken, stepper.next());
     const double line = 1. + longer / taken * (result(taken) - 1.);
     estimate = first_error_share(taken, longer) * (result(longer) - line);
     error = StepError{estimate, 1};
