@@ -34,13 +34,13 @@ template <int dim>
 void Problem<dim>::evolve()
 {
   part = Part::time;
-  // The search for the first step is not in the checkpoint; it begins anew.
-  if (!std::exchange(resumes, false) || state.path().size() == 1)
+  if (!std::exchange(resumes, false))
     transient.start();
   transient.heated_system().set_loads(system);
   const double full = loading.voltage(1.); // 0 where a charge is the load
   while (!transient.finished()) {
-    if (stops())
+    // No checkpoint holds what the search for the first step has found so far.
+    if (state.path().size() > 1 && stops())
       return;
     const NewtonReport report = transient.step(predictor, newton, [&]() { return solve(); });
     outcome.effort.add(report);
