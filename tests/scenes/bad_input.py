@@ -384,7 +384,7 @@ def check_other_file(program):
 
 
 def check_cases(program, folder, all_ranks):
-    """Every case on every number of ranks; four at a time, since mpirun mostly waits."""
+    """Every case on every number of ranks; many at a time, since mpirun mostly waits."""
     def answer(run):
         (_, options, _), ranks = run
         arguments = ["nothing.prm"] if options is None else [
@@ -393,7 +393,7 @@ def check_cases(program, folder, all_ranks):
         return complaint(program, arguments, ranks)
 
     runs = list(itertools.product(CASES, all_ranks))
-    with ThreadPoolExecutor(4) as pool:
+    with ThreadPoolExecutor(6) as pool:
         answers = list(pool.map(answer, runs))
     for ((name, _, words), ranks), (code, text) in zip(runs, answers):
         lines = sentences(text)

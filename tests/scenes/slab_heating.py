@@ -63,7 +63,7 @@ def check_first_step(program, folder):
     """However long the first step to try, that which is taken keeps the tolerance: 60 K arrive at
     the wall at once."""
     first = []
-    for initial in (1.2, 0.01, 1e-6):
+    for initial in (1.2, 1e-6):
         case = program.run("verification/slab_heating", folder, "--set",
                            f"Time/Initial step={initial}")
         curve = case.curve("time_s", "probe_theta_K")
