@@ -118,7 +118,7 @@ LinearReport FloatingElectrodes<dim>::finish(LinearSolver& solver)
   responses = columns;
   for (std::size_t k = 0; k < floating.size(); ++k) {
     responses[k] *= -1.;
-    const LinearReport response = solver.solve(responses[k]);
+    LinearReport response = solver.solve(responses[k]);
     if (!response.solved)
       return response;
     report.iterations += response.iterations;

@@ -133,8 +133,7 @@ def buckling_branches(program, folder, ranks):
     require(asymmetry < 1e-8, f"the branches differ by {asymmetry}")
     require(min(u) > 1, f"the branch plus goes to {u}")
     print(f"  at the limit points and ends u1 = {u}, branches differ by {asymmetry:.1e}")
-    if ranks == 1:
-        converged_pump(program, folder)
+    converged_pump(program, folder)
 
 
 def converged_pump(program, folder):
