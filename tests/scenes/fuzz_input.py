@@ -120,7 +120,7 @@ def jobs(program, folder):
 
 
 def main():
-    """All of them, four at a time, since a start mostly loads libraries."""
+    """All of them, two at a time."""
     program, _ = program_and_ranks(__doc__)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -130,7 +130,7 @@ def main():
                                        "--set", "Mesh/Parameters="], sound)
         require(not trouble, trouble)
         work = list(jobs(program, folder))
-        with concurrent.futures.ThreadPoolExecutor(4) as pool:
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
             results = list(pool.map(lambda job: verdict(program, *job), work))
         for (_, path), (trouble, _) in zip(work, results):
             if trouble:
