@@ -12,7 +12,8 @@ from pathlib import Path
 from scene import program_and_ranks, require
 
 CASES = [
-    ("unexpected pull-in", "planar_actuator", 3, "pull-in", ["--set", "Loading/Expected end=target"]),
+    ("unexpected pull-in", "planar_actuator", 3, "pull-in",
+     ["--set", "Loading/Expected end=target"]),
     ("pull-in that does not come", "planar_actuator", 2, "target reached",
      ["--set", "Loading/Target=0.3", "--set", "Expectations/Final values="]),
     ("failed expectation", "planar_actuator", 2, "pull-in",

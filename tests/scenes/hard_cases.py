@@ -331,16 +331,22 @@ CASES = [pull_in_loop, charge_control, generator, snap_through, gent_stability, 
          bulk_modulus, slender, distorted, rolling, stiff_layer, heat_step, too_large_step,
          hourglass, creasing]
 
-# Hard for the laws and elements, which know nothing of ranks: on one. (The branches take long: on two.)
+# Hard for the laws and elements, which know nothing of ranks: on one.
 ALONE = [charge_control, snap_through, gent_stability, bulk_modulus, slender, distorted, rolling,
          stiff_layer, creasing]
+
+
+def ranks_of(case, all_ranks):
+    """The branches take long: only on the most."""
+    if case is buckling_branches:
+        return all_ranks[-1:]
+    return all_ranks[:1] if case in ALONE else all_ranks
 
 
 def main():
     program, all_ranks = program_and_ranks(__doc__)
     for case in CASES:
-        for ranks in (all_ranks[:1] if case in ALONE else
-                      all_ranks[-1:] if case is buckling_branches else all_ranks):
+        for ranks in ranks_of(case, all_ranks):
             start = time.time()
             print(f"{case.__doc__} ({ranks} rank(s))", flush=True)
             with tempfile.TemporaryDirectory() as folder:
