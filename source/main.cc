@@ -11,6 +11,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <iomanip>
 #include <iostream>
 #include <new>
@@ -98,6 +99,8 @@ int main(int argc, char** argv)
   // the kernel.
   if (openblas_set_num_threads != nullptr)
     openblas_set_num_threads(1);
+  // Without mpirun, Open MPI would start a daemon to spawn processes with: 0.2 of 0.8 s of a start.
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const bool is_rank_0 = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   std::ostream silence(nullptr);
