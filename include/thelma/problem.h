@@ -78,6 +78,7 @@ private:
   void declare();
   void find_complaints();
   void check_and_set_up(Complaints& found);
+  std::vector<std::string> idle_entries() const;
   void heat();
   void set_uniform_temperature(double value);
   void check_stages() const;

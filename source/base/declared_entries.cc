@@ -106,6 +106,23 @@ std::vector<std::string> DeclaredEntries::entries(const std::vector<std::string>
   return names(at(path), true);
 }
 
+std::string DeclaredEntries::value(const std::vector<std::string>& path,
+                                   const std::string& entry) const
+{
+  return at(path)->find(entry)->second.get<std::string>("value");
+}
+
+std::vector<std::string> DeclaredEntries::changed(const std::vector<std::string>& path) const
+{
+  std::vector<std::string> result;
+  for (const std::string& entry : entries(path)) {
+    const Tree& node = at(path)->find(entry)->second;
+    if (node.get<std::string>("value") != node.get<std::string>("default_value"))
+      result.push_back(entry);
+  }
+  return result;
+}
+
 std::string DeclaredEntries::pattern(const std::vector<std::string>& path,
                                      const std::string& entry) const
 {

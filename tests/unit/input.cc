@@ -58,12 +58,14 @@ std::vector<std::string> scenes()
   return texts;
 }
 
-std::vector<std::string> lines_of(const std::string& text)
+/// Those that have the word.
+std::vector<std::string> lines_of(const std::string& text, const std::string& word = "")
 {
   std::vector<std::string> lines;
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);)
-    lines.push_back(line);
+    if (contains(line, word))
+      lines.push_back(line);
   return lines;
 }
 
@@ -183,6 +185,31 @@ TEST(Input, NamesMayHaveDots)
                                        ": unknown entry 'Gent limt'; known: Bulk modulus"))
         << found[0];
   }
+}
+
+// What has an effect only beside another choice.
+TEST(Input, EntriesWithoutEffectAreTold)
+{
+  const auto told = [](const std::vector<Override>& changes) {
+    const ParameterFile file(THELMA_SOURCE_DIR "/prm/verification/slab_heating.prm", changes);
+    return joined(lines_of(check_scene(MPI_COMM_SELF, file), "without effect"));
+  };
+  EXPECT_EQ(told({}), "");
+  EXPECT_EQ(told({{{"Stepping"}, "Most steps", "5"},
+                  {{"Linear solver"}, "Tolerance", "1e-7"},
+                  {{"Linear solver"}, "Iterations", "9"},
+                  {{"Mesh"}, "Imperfection shape", "x3; 0; 0"},
+                  {{"Time"}, "Heat amplitude", "t"},
+                  {{"Loading"}, "Film thickness", "2 mm"}}),
+            "  without effect: Mesh/Imperfection shape, because Imperfection is 0\n"
+            "  without effect: Time/Heat amplitude, because there is neither Heat/Flux nor "
+            "Heat/Source\n"
+            "  without effect: Loading/Film thickness, because every region is passive\n"
+            "  without effect: Stepping/Most steps, because Continuation is not automatic\n"
+            "  without effect: Linear solver/Iterations, Linear solver/Tolerance, because the "
+            "solver is direct\n");
+  EXPECT_EQ(told({{{"Mesh"}, "Imperfection", "0.1"}, {{"Mesh"}, "Imperfection shape", "x1; 0; 0"}}),
+            "");
 }
 
 TEST(Input, EverySceneIsRead)

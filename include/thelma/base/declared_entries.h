@@ -22,6 +22,12 @@ public:
   std::vector<std::string> sections(const std::vector<std::string>& path) const;
   std::vector<std::string> entries(const std::vector<std::string>& path) const;
 
+  /// As it was last set.
+  std::string value(const std::vector<std::string>& path, const std::string& entry) const;
+
+  /// Entries of a section whose values are not the defaults.
+  std::vector<std::string> changed(const std::vector<std::string>& path) const;
+
   /// The description() of an entry's pattern.
   std::string pattern(const std::vector<std::string>& path, const std::string& entry) const;
 
