@@ -185,7 +185,8 @@ def order_lines(rows):
 
 STEP_TEXT = """The paper's bending actuator on its mesh: the isothermal curve to e = 0.87 at 353 K,
 and the way from 293 to 353 K, heated from one face under voltage. Seconds are those of a step,
-iterations and factorisations those of the run, with what bends it before its time begins.
+iterations and factorisations those of the run, with what bends it before its time begins. The two
+runs follow each other; their ratio is what counts.
 """
 
 

@@ -32,7 +32,7 @@ std::vector<std::string> Problem<dim>::idle_entries() const
   const bool in_time = layout.is_transient(), is_electric = layout.has(Field::potential),
              follows = path_following.is_automatic();
   const std::vector<Idle> all{
-      {scene.value({"Mesh"}, "Imperfection") == "0",
+      {std::stod(scene.value({"Mesh"}, "Imperfection")) == 0.,
        "Mesh",
        {"Imperfection shape"},
        "Imperfection is 0"},
@@ -59,10 +59,12 @@ std::vector<std::string> Problem<dim>::idle_entries() const
        "there are no Final values"}};
   std::vector<std::string> sentences;
   for (const Idle& idle : all) {
+    if (!idle.if_so)
+      continue;
     std::vector<std::string> found;
     for (const std::string& entry : scene.changed({idle.section}))
-      if (idle.if_so && (idle.entries.empty() || std::find(idle.entries.begin(), idle.entries.end(),
-                                                           entry) != idle.entries.end()))
+      if (idle.entries.empty() ||
+          std::find(idle.entries.begin(), idle.entries.end(), entry) != idle.entries.end())
         found.push_back(idle.section + "/" + entry);
     if (!found.empty())
       sentences.push_back("without effect: " + comma_separated(found) + ", because " + idle.reason);

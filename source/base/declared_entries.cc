@@ -83,6 +83,12 @@ const DeclaredEntries::Tree* DeclaredEntries::at(const std::vector<std::string>&
   return node;
 }
 
+const DeclaredEntries::Tree& DeclaredEntries::at(const std::vector<std::string>& path,
+                                                 const std::string& entry) const
+{
+  return at(path)->find(entry)->second;
+}
+
 bool DeclaredEntries::has_section(const std::vector<std::string>& path) const
 {
   return at(path) != nullptr;
@@ -109,24 +115,22 @@ std::vector<std::string> DeclaredEntries::entries(const std::vector<std::string>
 std::string DeclaredEntries::value(const std::vector<std::string>& path,
                                    const std::string& entry) const
 {
-  return at(path)->find(entry)->second.get<std::string>("value");
+  return at(path, entry).get<std::string>("value");
 }
 
 std::vector<std::string> DeclaredEntries::changed(const std::vector<std::string>& path) const
 {
   std::vector<std::string> result;
-  for (const std::string& entry : entries(path)) {
-    const Tree& node = at(path)->find(entry)->second;
-    if (node.get<std::string>("value") != node.get<std::string>("default_value"))
+  for (const std::string& entry : entries(path))
+    if (value(path, entry) != at(path, entry).get<std::string>("default_value"))
       result.push_back(entry);
-  }
   return result;
 }
 
 std::string DeclaredEntries::pattern(const std::vector<std::string>& path,
                                      const std::string& entry) const
 {
-  return at(path)->find(entry)->second.get<std::string>("pattern_description");
+  return at(path, entry).get<std::string>("pattern_description");
 }
 
 std::vector<std::string> DeclaredEntries::sections_with(const std::string& entry) const

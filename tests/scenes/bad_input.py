@@ -177,8 +177,8 @@ subsection Regions
 end
 """
 
-# What is wrong, the options that make it so, and what the sentence must say. First what each rank
-# finds for itself while it reads: on one rank, as the way out is that of the faults of one file.
+# What is wrong, the options that make it so, and what the sentence must say. First entries that
+# each rank refuses while it reads: on one rank, as the way out is that of the faults of one file.
 READING = [
     ("unknown entry", ["--set", "Newton/Tolerence=1"],
      ["'Tolerence'", "did you mean 'Tolerance'?"]),
@@ -215,18 +215,10 @@ READING = [
     ("infinite amplitude", ["--set", "Temperature/Model=transient",
                             "--set", "Time/Voltage amplitude=1/t"],
      ["Voltage amplitude", "inf at t = 0"]),
-    ("no output", ["--output", ""], ["--output", "empty"]),
-    ("repeated case", ["--sweep", "Temperature/Value=273, 273"], ["Temperature.Value=273", "once"]),
-    ("sweep of what is set", ["--sweep", "Temperature/Value=273",
-                              "--set", "Temperature/Value=293"], ["Temperature/Value", "once"]),
-    ("malformed ranks per case", ["--ranks-per-case", "two"], ["--ranks-per-case", "'two'"]),
-    ("too many ranks per case", ["--sweep", "Temperature/Value=273", "--ranks-per-case", "9"],
-     ["--ranks-per-case", "9", "mpirun"]),
-    ("missing study", ["@nothing.study"], ["nothing.study", "@"]),
-    ("unknown option", ["--frobnicate"], ["--frobnicate", "--sweep"]),
 ]
 
-# Found once there is a mesh, or by looking for it: on any number of ranks.
+# What is found once there is a mesh, or by looking for it, and faults of the command line: on any
+# number of ranks.
 CASES = [
     ("unknown region", ["--set", "Regions/Materials=foam: elastomer"], ["'foam'", "film"]),
     ("unknown surface", ["--set", "Supports/Fixed=x9: u1"], ["'x9'", "x1_min"]),
@@ -342,6 +334,15 @@ CASES = [
      ["film", "hexahedra"]),
     ("unreadable geometry", ["--set", "Mesh/File={folder}/broken.geo"], ["broken.geo"]),
     ("unwritable output", ["--output", "/proc/thelma"], ["--output", "/proc/thelma"]),
+    ("no output", ["--output", ""], ["--output", "empty"]),
+    ("repeated case", ["--sweep", "Temperature/Value=273, 273"], ["Temperature.Value=273", "once"]),
+    ("sweep of what is set", ["--sweep", "Temperature/Value=273",
+                              "--set", "Temperature/Value=293"], ["Temperature/Value", "once"]),
+    ("malformed ranks per case", ["--ranks-per-case", "two"], ["--ranks-per-case", "'two'"]),
+    ("too many ranks per case", ["--sweep", "Temperature/Value=273", "--ranks-per-case", "9"],
+     ["--ranks-per-case", "9", "mpirun"]),
+    ("missing study", ["@nothing.study"], ["nothing.study", "@"]),
+    ("unknown option", ["--frobnicate"], ["--frobnicate", "--sweep"]),
     ("missing file", None, ["nothing.prm"]),
 ]
 

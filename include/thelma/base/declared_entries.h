@@ -38,6 +38,7 @@ private:
   using Tree = boost::property_tree::ptree;
 
   const Tree* at(const std::vector<std::string>& path) const;
+  const Tree& at(const std::vector<std::string>& path, const std::string& entry) const;
 
   Tree tree;
 };
