@@ -2,6 +2,7 @@
 #include <thelma/application/simulation.h>
 #include <thelma/application/study.h>
 #include <thelma/base/complaints.h>
+#include <thelma/base/start_up.h>
 #include <thelma/base/units.h>
 #include <thelma/base/version.h>
 #include <thelma/elements/formulation.h>
@@ -11,13 +12,9 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <iomanip>
 #include <iostream>
 #include <new>
-
-/// There if the BLAS happens to be OpenBLAS.
-extern "C" void openblas_set_num_threads(int) __attribute__((weak));
 
 namespace
 {
@@ -95,12 +92,7 @@ ExitCode run(const CommandLine& line, std::ostream& out)
 
 int main(int argc, char** argv)
 {
-  // More threads than ranks only compete; in the bending scene they spent 41 % of all CPU time in
-  // the kernel.
-  if (openblas_set_num_threads != nullptr)
-    openblas_set_num_threads(1);
-  // Without mpirun, Open MPI would start a daemon to spawn processes with: 0.2 of 0.8 s of a start.
-  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  prepare_process();
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const bool is_rank_0 = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   std::ostream silence(nullptr);

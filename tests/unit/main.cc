@@ -1,3 +1,5 @@
+#include <thelma/base/start_up.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <gtest/gtest.h>
@@ -5,6 +7,7 @@
 int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);
+  thelma::prepare_process();
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   return RUN_ALL_TESTS();
 }

@@ -1,0 +1,46 @@
+#include <thelma/base/start_up.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <initializer_list>
+
+/// There if the BLAS happens to be OpenBLAS.
+extern "C" void openblas_set_num_threads(int) __attribute__((weak));
+
+namespace thelma
+{
+namespace
+{
+
+/// By what mpirun or a batch system leaves for the processes that it starts.
+bool launched()
+{
+  const auto names = {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"};
+  return std::any_of(names.begin(), names.end(), [](auto name) { return std::getenv(name); });
+}
+
+/// A process that nothing launched: 0.4 s in place of 0.8 s until it begins.
+void leave_out_of_open_mpi_what_one_process_does_without()
+{
+  // The daemon to spawn others with: 0.2 s.
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  // Without the daemon all such processes have the same name, and one that ends removes the folder
+  // that another has just found or is about to make.
+  setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
+  // The libraries of networks: one of them measures the processor's clock for 0.2 s.
+  setenv("OMPI_MCA_pml", "ob1", 0);
+}
+
+} // namespace
+
+void prepare_process()
+{
+  // More threads than ranks only compete; in the bending scene they spent 41 % of all CPU time in
+  // the kernel.
+  if (openblas_set_num_threads != nullptr)
+    openblas_set_num_threads(1);
+  if (!launched())
+    leave_out_of_open_mpi_what_one_process_does_without();
+}
+
+} // namespace thelma
