@@ -3,12 +3,11 @@
     actuators.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
 """
 
+import itertools
 import math
-import tempfile
-from pathlib import Path
 
 from membrane_reference import Membrane
-from scene import largest_error, program_and_ranks, require, validated
+from scene import largest_error, program_and_ranks, require, side_by_side, validated
 import bending_exact
 import planar_exact
 
@@ -100,12 +99,8 @@ def check_membrane(program, folder, ranks):
 
 def main():
     program, all_ranks = program_and_ranks(__doc__)
-    for ranks in all_ranks:
-        with tempfile.TemporaryDirectory() as folder:
-            check_full_stack(program, Path(folder) / "full", ranks)
-            check_margins(program, Path(folder) / "margins", ranks)
-            check_gripper(program, Path(folder) / "gripper", ranks)
-            check_membrane(program, Path(folder) / "membrane", ranks)
+    checks = (check_membrane, check_gripper, check_full_stack, check_margins)
+    side_by_side(program, *itertools.product(checks, all_ranks))
 
 
 main()

@@ -399,7 +399,7 @@ def check_cases(program, folder, all_ranks):
         return complaint(program, arguments, ranks)
 
     runs = [*itertools.product(READING, all_ranks[:1]), *itertools.product(CASES, all_ranks)]
-    with ThreadPoolExecutor(6) as pool:
+    with ThreadPoolExecutor(4) as pool:
         answers = list(pool.map(answer, runs))
     for ((name, _, words), ranks), (code, text) in zip(runs, answers):
         lines = sentences(text)

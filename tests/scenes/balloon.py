@@ -3,13 +3,12 @@
     balloon.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
 """
 
+import itertools
 import math
-import tempfile
-from pathlib import Path
 
 from scipy.optimize import brentq
 
-from scene import program_and_ranks, require, settings, validated
+from scene import program_and_ranks, require, settings, side_by_side, validated
 import balloon_exact
 
 PRESSURE, TARGET = 0.004, 15.0  # MPa, kV of prm/balloon.prm
@@ -126,13 +125,8 @@ def check_ledger(program, folder):
 
 def main():
     program, all_ranks = program_and_ranks(__doc__)
-    for ranks in all_ranks:
-        with tempfile.TemporaryDirectory() as folder:
-            check_states(program, Path(folder) / "states", ranks)
-            check_maximum(program, Path(folder) / "maximum", ranks)
-    with tempfile.TemporaryDirectory() as folder:
-        check_ledger(program, Path(folder))
-        check_pull_in(program, Path(folder) / "pull-in")
+    side_by_side(program, *itertools.product((check_maximum, check_states), all_ranks),
+                 (check_ledger,), (check_pull_in,))
 
 
 main()

@@ -8,11 +8,9 @@ balance of energy: along a curve the source does the work d(elastic + electric) 
 
 import json
 import math
-import tempfile
-from pathlib import Path
 
 from bending_reference import exact_mid_rotation
-from scene import program_and_ranks, require, validated
+from scene import program_and_ranks, require, side_by_side, validated
 
 FORMULATIONS = {  # name: formulation, degree, cells; all with the same nodes
     "Q1 standard": ("standard", 1, (4, 20)),
@@ -123,15 +121,9 @@ def check_pull_in(program, folder):
 
 def main():
     program, all_ranks = program_and_ranks(__doc__)
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        check_locking(program, folder)
-        check_parasitic_shear(program, folder)
-        for ranks in all_ranks:
-            check_convergence(program, folder, ranks)
-        check_energy(program, folder)
-        check_slender_cells(program, folder)
-        check_pull_in(program, folder)
+    side_by_side(program, (check_energy,), (check_slender_cells,), (check_locking,),
+                 (check_parasitic_shear,), *((check_convergence, ranks) for ranks in all_ranks),
+                 (check_pull_in,))
 
 
 main()

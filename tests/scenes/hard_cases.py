@@ -5,11 +5,9 @@
 
 import inspect
 import math
-import tempfile
 import time
-from pathlib import Path
 
-from scene import program_and_ranks, require, validated
+from scene import program_and_ranks, require, side_by_side, validated
 import bending_exact
 import constant_charge
 import gent_exact
@@ -342,15 +340,18 @@ def ranks_of(case, all_ranks):
     return all_ranks[:1] if case in ALONE else all_ranks
 
 
+def timed(program, folder, case, ranks):
+    """A case, with its name and how long it took."""
+    start = time.time()
+    print(f"{case.__doc__} ({ranks} rank(s))")
+    case(program, folder, ranks)
+    print(f"  {time.time() - start:.1f} s")
+
+
 def main():
     program, all_ranks = program_and_ranks(__doc__)
-    for case in CASES:
-        for ranks in ranks_of(case, all_ranks):
-            start = time.time()
-            print(f"{case.__doc__} ({ranks} rank(s))", flush=True)
-            with tempfile.TemporaryDirectory() as folder:
-                case(program, Path(folder), ranks)
-            print(f"  {time.time() - start:.1f} s", flush=True)
+    side_by_side(program, *((timed, case, ranks) for case in CASES
+                            for ranks in ranks_of(case, all_ranks)))
 
 
 main()

@@ -5,11 +5,9 @@ Usage: heated_bending.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
 
 import math
 import subprocess
-import tempfile
-from pathlib import Path
 
 from bending_reference import exact_mid_rotation
-from scene import program_and_ranks, require, validated
+from scene import program_and_ranks, require, side_by_side, validated
 import accuracy_steps
 
 MISSING = ["ledger_energy_missing_mJ", "ledger_entropy_missing_mJ_per_K"]
@@ -98,11 +96,7 @@ def check_cost(program, folder):
 
 def main():
     program, ranks = program_and_ranks(__doc__)
-    with tempfile.TemporaryDirectory() as name:
-        check_end(program, Path(name), ranks)
-        check_balance(program, Path(name))
-        check_jump(program, Path(name))
-        check_cost(program, Path(name))
+    side_by_side(program, (check_end, ranks), (check_balance,), (check_jump,), (check_cost,))
 
 
 main()

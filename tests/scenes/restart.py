@@ -15,15 +15,13 @@ import resource
 import shutil
 import signal
 import subprocess
-import tempfile
 import time
-from pathlib import Path
 
 import numpy as np
 
-from scene import program_and_ranks, require
+from scene import program_and_ranks, require, side_by_side
 
-KILLS = 50
+KILLS = 50  # in all
 EVERY_STEP = ["--set", "Output/Checkpoint interval=0"]
 COARSE = ["--set", "Stepping/Initial step=0.2", "--set", "Stepping/Largest step=0.2"]
 
@@ -62,7 +60,7 @@ class Runs:
 
     def __init__(self, program, folder):
         self.program = program
-        self.folder = Path(folder)
+        self.folder = folder
 
     def command(self, output, arguments, ranks=1):
         """The command line that begins the run in a folder or, if it has begun, goes on."""
@@ -152,20 +150,18 @@ def kill_until_done(runs, name, output, seconds):
         kills += 1
 
 
-def check_kills(runs):
-    """As many kills as promised, in every scene some."""
-    missing = KILLS
-    for left, name in zip(range(len(SCENES), 0, -1), SCENES):
-        reference, seconds = runs.reference(name)
-        kills = rounds = 0
-        largest = 0.0
-        while kills < max(3, missing / left):
-            output = runs.folder / f"{name}, killed {rounds}"
-            kills += kill_until_done(runs, name, output, seconds)
-            largest = max(largest, compare(name, output, reference, 1e-10, work=True))
-            rounds += 1
-        missing -= kills
-        print(f"{name}: killed {kills} times in {rounds} runs, largest difference {largest:.1e}")
+def check_kills(program, folder, name):
+    """The scene's share of the kills."""
+    runs = Runs(program, folder)
+    reference, seconds = runs.reference(name)
+    kills = rounds = 0
+    largest = 0.0
+    while kills < KILLS / len(SCENES):
+        output = folder / f"{name}, killed {rounds}"
+        kills += kill_until_done(runs, name, output, seconds)
+        largest = max(largest, compare(name, output, reference, 1e-10, work=True))
+        rounds += 1
+    print(f"{name}: killed {kills} times in {rounds} runs, largest difference {largest:.1e}")
 
 
 def wait_for_rows(process, output, rows):
@@ -198,68 +194,70 @@ def stopped(runs, name, label, number=signal.SIGTERM, ranks=1):
     raise RuntimeError(f"{name} is too fast to be stopped")
 
 
-def check_signals_and_ranks(runs, all_ranks):
+def check_signals_and_ranks(program, folder, name, all_ranks):
     """SIGTERM or Ctrl-C to one rank, SIGUSR1 to mpirun; from each number of ranks to each other."""
-    for name in ("stages", "arc length", "time"):
-        alone = signal.SIGINT if name == "arc length" else signal.SIGTERM
-        for before in all_ranks:
-            label = f"stopped on {before}"
-            number = alone if before == 1 else signal.SIGUSR1
-            kept = stopped(runs, name, label, number, before)
-            for after in all_ranks:
-                output = runs.folder / f"{name}, {before} to {after}"
-                shutil.copytree(kept, output)
-                errors = runs.finish(output, [], after)
-                require(not errors, f"{name}: {errors}")
-                reference, _ = runs.reference(name, after if before == after else 1)
-                same = before == after == 1
-                largest = compare(name, output, reference, 1e-10 if same else 1e-8, work=same)
-                print(f"{name}: stopped on {before}, continued on {after} rank(s), "
-                      f"largest difference {largest:.1e}")
+    runs = Runs(program, folder)
+    alone = signal.SIGINT if name == "arc length" else signal.SIGTERM
+    for before in all_ranks:
+        label = f"stopped on {before}"
+        number = alone if before == 1 else signal.SIGUSR1
+        kept = stopped(runs, name, label, number, before)
+        for after in all_ranks:
+            output = folder / f"{name}, {before} to {after}"
+            shutil.copytree(kept, output)
+            errors = runs.finish(output, [], after)
+            require(not errors, f"{name}: {errors}")
+            reference, _ = runs.reference(name, after if before == after else 1)
+            same = before == after == 1
+            largest = compare(name, output, reference, 1e-10 if same else 1e-8, work=same)
+            print(f"{name}: stopped on {before}, continued on {after} rank(s), "
+                  f"largest difference {largest:.1e}")
 
 
-def check_damage(runs):
+def check_damage(program, folder):
     """With a damaged newest checkpoint the one before it serves, with none the run begins anew."""
     name = "arc length"
+    runs = Runs(program, folder)
     reference, _ = runs.reference(name)
-    output = runs.folder / "damaged"
+    output = folder / "damaged"
     code, _ = stop(runs, name, output, EVERY_STEP)
     require(code == 4, f"damage: exit code {code}")
     files = sorted(output.glob("checkpoint.*"), key=lambda path: path.stat().st_mtime_ns)
     require(len(files) == 2, f"there are {len(files)} checkpoints, not 2")
     for count in (1, 2):
-        again = runs.folder / f"damaged {count}"
+        again = folder / f"damaged {count}"
         shutil.copytree(output, again)
         for path in files[2 - count:]:
             damaged = again / path.name
             damaged.write_bytes(damaged.read_bytes()[:-7])
-        done = subprocess.run(runs.command(again, []), cwd=runs.program.source, text=True,
+        done = subprocess.run(runs.command(again, []), cwd=program.source, text=True,
                               capture_output=True, check=False, timeout=60)
         require(done.returncode == 0 and done.stdout.count("is damaged") == count,
                 f"exit code {done.returncode}: {done.stdout}{done.stderr}")
         compare(f"{count} damaged", again, reference, 1e-10, work=True)
 
 
-def check_full_disk(runs):
+def check_full_disk(program, folder, name):
     """No file may grow any more: one sentence, exit code 4, and the last checkpoint serves."""
-    for name in ("stages", "time"):
-        reference, _ = runs.reference(name)
-        output = runs.folder / f"{name}, full disk"
-        with runs.start(output, SCENES[name] + EVERY_STEP) as process:
-            wait_for_rows(process, output, 6)
-            limit = max(path.stat().st_size for path in output.glob("checkpoint.*"))
-            resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (limit, limit))
-            errors = process.communicate(timeout=60)[1]
-        require(process.returncode == 4, f"full disk: exit code {process.returncode}, {errors}")
-        require(errors.count("\n") == 1 and "make room" in errors, f"full disk: {errors}")
-        require(not list(output.glob("*.part")), "full disk: half a file is left")
-        runs.finish(output, [])
-        largest = compare(name, output, reference, 1e-10, work=True)
-        print(f"{name}: largest difference after a full disk {largest:.1e}")
+    runs = Runs(program, folder)
+    reference, _ = runs.reference(name)
+    output = folder / f"{name}, full disk"
+    with runs.start(output, SCENES[name] + EVERY_STEP) as process:
+        wait_for_rows(process, output, 6)
+        limit = max(path.stat().st_size for path in output.glob("checkpoint.*"))
+        resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (limit, limit))
+        errors = process.communicate(timeout=60)[1]
+    require(process.returncode == 4, f"full disk: exit code {process.returncode}, {errors}")
+    require(errors.count("\n") == 1 and "make room" in errors, f"full disk: {errors}")
+    require(not list(output.glob("*.part")), "full disk: half a file is left")
+    runs.finish(output, [])
+    largest = compare(name, output, reference, 1e-10, work=True)
+    print(f"{name}: largest difference after a full disk {largest:.1e}")
 
 
-def check_refusals(runs):
+def check_refusals(program, folder):
     """A finished run stays as it is; another scene, and nothing at all, are refused."""
+    runs = Runs(program, folder)
     done, _ = runs.reference("voltage")
     before = (done / "run.json").stat().st_mtime_ns
     runs.finish(done, [])
@@ -269,15 +267,16 @@ def check_refusals(runs):
     used.write_text(used.read_text().replace("lambda_1, lambda_3", "lambda_3, lambda_1"))
     errors = runs.finish(changed, [], exit_code=1)
     require("another scene" in errors and "lambda_3, lambda_1" in errors, errors)
-    nothing = subprocess.run(runs.program.command(["--restart", str(runs.folder)], 1),
+    nothing = subprocess.run(program.command(["--restart", str(folder)], 1),
                              capture_output=True, text=True, check=False)
     require(nothing.returncode == 1 and "no run that could go on" in nothing.stderr,
             nothing.stderr)
 
 
-def check_two_at_once(runs):
+def check_two_at_once(program, folder):
     """No run writes into the folder of one that goes on."""
-    output = runs.folder / "in use"
+    runs = Runs(program, folder)
+    output = folder / "in use"
     with runs.start(output, SCENES["time"] + ["--set", "Time/Tolerance=0", "--set",
                                               "Time/Initial step=1e-3"]) as process:
         wait_for_rows(process, output, 2)
@@ -296,14 +295,15 @@ def study_table(output):
     return [[row[i] for i in kept] for row in rows]
 
 
-def check_study(runs, ranks):
+def check_study(program, folder, ranks):
     """Killed in a case: what was finished stays, and that case goes on from its checkpoint."""
     arguments = ["prm/hard/snap_through.prm", "--sweep", "Temperature/Value=293,313,333",
                  *EVERY_STEP]
-    whole = runs.folder / "whole study"
+    runs = Runs(program, folder)
+    whole = folder / "whole study"
     runs.finish(whole, arguments, ranks)
     for number, code in ((signal.SIGKILL, -signal.SIGKILL), (signal.SIGTERM, 4)):
-        output = runs.folder / f"study {number}"
+        output = folder / f"study {number}"
         with runs.start(output, arguments) as process:
             last = output / "Temperature.Value=333"
             wait_for_rows(process, last, 4)
@@ -326,15 +326,11 @@ def check_study(runs, ranks):
 def main():
     program, all_ranks = program_and_ranks(__doc__)
     random.seed(7)
-    with tempfile.TemporaryDirectory() as folder:
-        runs = Runs(program, folder)
-        check_kills(runs)
-        check_signals_and_ranks(runs, all_ranks)
-        check_damage(runs)
-        check_full_disk(runs)
-        check_refusals(runs)
-        check_two_at_once(runs)
-        check_study(runs, all_ranks[-1])
+    side_by_side(program, *((check_kills, name) for name in SCENES),
+                 *((check_signals_and_ranks, name, all_ranks)
+                   for name in ("stages", "arc length", "time")),
+                 (check_study, all_ranks[-1]), (check_damage,), (check_full_disk, "stages"),
+                 (check_full_disk, "time"), (check_refusals,), (check_two_at_once,))
 
 
 main()

@@ -1,7 +1,11 @@
 """Runs the program for the scene tests and reads what it leaves."""
 
+import contextlib
+import io
 import subprocess
 import sys
+import tempfile
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -61,6 +65,28 @@ def require(condition, sentence):
     """Ends the test with the sentence unless the condition holds."""
     if not condition:
         sys.exit(f"FAILED: {sentence}")
+
+
+def outcome(program, check, *arguments):
+    """What a check prints, in a folder of its own, and the exception that ends it."""
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed), tempfile.TemporaryDirectory() as folder:
+        try:
+            check(program, Path(folder), *arguments)
+        except (Exception, SystemExit) as exception:
+            return printed.getvalue(), exception
+    return printed.getvalue(), None
+
+
+def side_by_side(program, *checks):
+    """Runs check(program, folder, *arguments) for every (check, *arguments), two at a time."""
+    with ProcessPoolExecutor(2) as pool:
+        for running in [pool.submit(outcome, program, *check) for check in checks]:
+            printed, exception = running.result()
+            print(printed, end="", flush=True)
+            if exception:
+                pool.shutdown(cancel_futures=True)
+                raise exception
 
 
 def program_and_ranks(usage):
