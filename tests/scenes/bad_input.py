@@ -393,7 +393,7 @@ def check_other_file(program):
 
 
 def check_cases(program, folder, all_ranks):
-    """Every case; many at a time, since mpirun mostly waits."""
+    """Every case, several at a time."""
     def answer(run):
         (_, options, _), ranks = run
         arguments = ["nothing.prm"] if options is None else [
