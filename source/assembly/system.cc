@@ -135,6 +135,15 @@ void System<dim>::compute_scales()
 }
 
 template <int dim>
+void System<dim>::begin()
+{
+  stabilisations.resize(layout.cells().size(), 0.);
+  for_each_cell([&](const CellView<dim>& view) {
+    stabilisations[view.index] = formulation->stabilisation(view);
+  });
+}
+
+template <int dim>
 ResidualReport System<dim>::residual()
 {
   const auto timer = timings.measure("residual");

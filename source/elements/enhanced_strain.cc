@@ -103,6 +103,11 @@ public:
     std::copy(change.begin() + n_outer, change.end(), correction + Base::n_internal());
   }
 
+  double stabilisation(const CellView<dim>& view) const override
+  {
+    return Base::stabilisation(Enhanced(view).view);
+  }
+
   Energies energies(const CellView<dim>& view) const override
   {
     return Base::energies(Enhanced(view).view);

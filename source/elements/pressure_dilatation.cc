@@ -1,4 +1,5 @@
 #include <thelma/elements/pressure_dilatation.h>
+#include <thelma/elements/stabilisation.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/lac/full_matrix.h>
@@ -11,11 +12,12 @@ namespace
 /// Values at the points of a rule and in the lanes that belong to none.
 using PointValues = std::array<double, 32>;
 
-/// The stress and stiffness of a given pressure field.
+/// The stress and stiffness of a pressure that is given but for its answer to J.
 template <bool whole>
 struct GivenPressure {
   static constexpr bool conducts = whole;
   PointValues pressure; ///< at the points of the rule, MPa
+  double stabilisation; ///< its change per J, MPa
 
   template <typename Number, typename Derivatives>
   void add(const Material& material, const PointState<Number>& state, const Kinematics<Number>& kin,
@@ -25,6 +27,7 @@ struct GivenPressure {
       material.evaluate(state, d);
     Volumetric<Number> constant{};
     constant.p = load<Number>(pressure.data() + q);
+    constant.dp_dJ = Number(stabilisation);
     add_volumetric(kin, constant, d);
   }
 
@@ -43,11 +46,10 @@ struct GivenPressure {
 template <int dim>
 struct PressureDilatation<dim>::Local {
   Local(const PressureDilatation& f, const CellView<dim>& view, const CellPoints<dim>& points)
-      : min_det(points.min_det_F)
+      : stabilisation(f.reduced ? 0. : view.stabilisation), min_det(points.min_det_F)
   {
     const unsigned int n = f.n_modes;
     const double *pressures = view.internal, *dilatations = view.internal + n;
-    std::copy_n(pressures, n, p.begin());
     for (unsigned int q = 0; q < points.n_points; ++q) {
       const Modes& m = f.modes[q];
       double pressure = 0., dilatation = 0.;
@@ -58,21 +60,26 @@ struct PressureDilatation<dim>::Local {
       min_det = std::min(min_det, dilatation);
       if (!(min_det > 0.))
         return;
+      const double excess = points.J(q) - dilatation;
+      pressure_at[q] = pressure + stabilisation * excess;
       const double w = points.geometry[q].JxW;
       const Volumetric<> v = view.cell.material->thermal.volumetric(dilatation, points.theta(q));
       for (unsigned int i = 0; i < n; ++i) {
-        R_p[i] += w * m[i] * (points.J(q) - dilatation);
+        R_p[i] += w * m[i] * excess;
         R_t[i] += w * m[i] * (v.p - pressure);
         for (unsigned int j = 0; j < n; ++j)
           H[i][j] += w * v.dp_dJ * m[i] * m[j];
       }
       dp_dtheta[q] = v.dp_dtheta;
       stored.add(w, thelma::energies(v, points.theta(q)));
+      stored.elastic += w * stabilisation / 2. * excess * excess;
     }
   }
 
+  double stabilisation; ///< MPa
   ModeMatrix H{};
-  Modes p{}, R_p{}, R_t{};
+  Modes R_p{}, R_t{};
+  PointValues pressure_at{}; ///< with the stabilisation's part
   std::array<double, CellPoints<dim>::max> dp_dtheta{};
   double min_det;
   Energies stored; ///< of psi_v(t)
@@ -116,7 +123,7 @@ std::vector<Modes> PressureDilatation<dim>::polynomials(const unsigned int n_poi
 template <int dim>
 unsigned int PressureDilatation<dim>::n_elimination() const
 {
-  return n_modes * n_modes + (dim + (has_temperature ? 2 : 0)) * block_size();
+  return n_modes * n_modes + 1 + (dim + (has_temperature ? 2 : 0)) * block_size();
 }
 
 template <int dim>
@@ -151,7 +158,7 @@ void PressureDilatation<dim>::residual(const CellView<dim>& view, CellResult& re
     result.min_det_F = local.min_det;
     if (!(local.min_det > 0.))
       return;
-    integrate_energy(view, points, own, local.p, false, result);
+    integrate_energy(view, points, own, local, false, result);
     add_heat(view, own, false, result);
     result.internal.assign(local.R_p.begin(), local.R_p.begin() + n_modes);
     result.internal.insert(result.internal.end(), local.R_t.begin(), local.R_t.begin() + n_modes);
@@ -169,11 +176,35 @@ void PressureDilatation<dim>::tangent(const CellView<dim>& view, CellResult& res
   result.reset(view, rule().basis().n_nodes, true);
   with_points(view, [&](const CellPoints<dim>& points, const CellPoints<dim>& own) {
     const Local local(*this, view, own);
-    integrate_energy(view, points, own, local.p, true, result);
+    integrate_energy(view, points, own, local, true, result);
     add_condensed(view, own, local, result);
     add_heat(view, own, true, result);
   });
   result.blocks.write(result.tangent);
+}
+
+/// The largest need of its points. Not quite the whole bulk modulus, so that the answer of the mean
+/// pressure (S of Kept) stays positive.
+template <int dim>
+double PressureDilatation<dim>::stabilisation(const CellView<dim>& view) const
+{
+  constexpr double part = 0.999;
+  const double dilatation = view.internal[n_modes];
+  double needed = 0.;
+  if (reduced || !view.cell.has_potential || !(dilatation > 0.))
+    return needed;
+  const Material& material = *view.cell.material;
+  with_points(view, [&](const CellPoints<dim>& points, const CellPoints<dim>&) {
+    for (unsigned int q = 0; q < points.n_points; ++q) {
+      double pressure = 0.;
+      for (unsigned int i = 0; i < n_modes; ++i)
+        pressure += modes[q][i] * view.internal[i];
+      const double most = part * material.thermal.volumetric(dilatation, points.theta(q)).dp_dJ;
+      needed =
+          std::max(needed, needed_stabilisation(material, points.state(q), pressure, dim, most));
+    }
+  });
+  return needed;
 }
 
 template <int dim>
@@ -192,17 +223,15 @@ Energies PressureDilatation<dim>::energies(const CellView<dim>& view) const
 template <int dim>
 void PressureDilatation<dim>::integrate_energy(const CellView<dim>& view,
                                                const CellPoints<dim>& points,
-                                               const CellPoints<dim>& own, const Modes& p,
+                                               const CellPoints<dim>& own, const Local& local,
                                                const bool with_tangent, CellResult& result) const
 {
-  PointValues pressure{};
-  for (std::size_t q = 0; q < modes.size(); ++q)
-    for (unsigned int i = 0; i < n_modes; ++i)
-      pressure[q] += modes[q][i] * p[i];
+  const PointValues& p = local.pressure_at;
   if (!reduced)
-    return integrate(points, view, GivenPressure<true>{pressure}, with_tangent, result);
+    return integrate(points, view, GivenPressure<true>{p, local.stabilisation}, with_tangent,
+                     result);
   integrate(points, view, WithoutVolumetric(), with_tangent, result);
-  integrate(own, view, GivenPressure<false>{pressure}, with_tangent, result);
+  integrate(own, view, GivenPressure<false>{p, 0.}, with_tangent, result);
 }
 
 /// The pressure answers to B dx by S = M H M and to dR_t/dtheta by M.
@@ -214,13 +243,16 @@ void PressureDilatation<dim>::add_condensed(const CellView<dim>& view,
   const int n_c = view.cell.n_components;
   const ModeMatrix& M = mass_inverse[view.index];
   result.elimination.assign(n_elimination(), 0.);
-  double* S = result.elimination.data();
-  double* B = S + std::size_t(n_modes) * n_modes;
+  const Kept<double> kept(*this, result.elimination.data());
+  double *S = kept.S, *B = kept.B;
   for (unsigned int i = 0; i < n_modes; ++i)
-    for (unsigned int k = 0; k < n_modes; ++k)
-      for (unsigned int l = 0; l < n_modes; ++l)
-        for (unsigned int j = 0; j < n_modes; ++j)
+    for (unsigned int j = 0; j < n_modes; ++j) {
+      S[i * n_modes + j] = -local.stabilisation * M[i][j];
+      for (unsigned int k = 0; k < n_modes; ++k)
+        for (unsigned int l = 0; l < n_modes; ++l)
           S[i * n_modes + j] += M[i][k] * local.H[k][l] * M[l][j];
+    }
+  *kept.stabilisation = local.stabilisation;
 
   for (int c = 0; c < dim; ++c)
     set_constraint(points, c, B + c * block_size());

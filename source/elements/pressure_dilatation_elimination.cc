@@ -67,8 +67,8 @@ template <int dim>
 void PressureDilatation<dim>::eliminate(const Elimination<dim>& cell, double* residual) const
 {
   const ModeMatrix& M = mass_inverse[cell.index];
-  const double *S = cell.kept, *B = S + std::size_t(n_modes) * n_modes, *R_p = cell.residual,
-               *R_t = R_p + n_modes;
+  const Kept<const double> kept(*this, cell.kept);
+  const double *S = kept.S, *B = kept.B, *R_p = cell.residual, *R_t = R_p + n_modes;
   const unsigned int stride = rule().basis().stride, n_nodes = rule().basis().n_nodes;
   for (unsigned int i = 0; i < n_modes; ++i) {
     double p = 0.;
@@ -87,13 +87,14 @@ void PressureDilatation<dim>::eliminate(const Elimination<dim>& cell, double* re
   }
 }
 
-/// dt = M (R_p + B dx), dp = M (R_t + dR_t/dtheta dtheta) + S (R_p + B dx).
+/// dt = M (R_p + B dx), dp = M (R_t + dR_t/dtheta dtheta) + (S + kappa M) (R_p + B dx).
 template <int dim>
 void PressureDilatation<dim>::recover(const Elimination<dim>& cell, const double* dx,
                                       double* correction) const
 {
   const ModeMatrix& M = mass_inverse[cell.index];
-  const double *S = cell.kept, *B = S + std::size_t(n_modes) * n_modes;
+  const Kept<const double> kept(*this, cell.kept);
+  const double *S = kept.S, *B = kept.B;
   const unsigned int stride = rule().basis().stride, n_nodes = rule().basis().n_nodes;
   const int n_c = cell.n_components;
   Modes R_p{}, R_t{};
@@ -113,6 +114,7 @@ void PressureDilatation<dim>::recover(const Elimination<dim>& cell, const double
       p += M[i][j] * R_t[j] + S[i * n_modes + j] * R_p[j];
       t += M[i][j] * R_p[j];
     }
+    p += *kept.stabilisation * t;
   }
 }
 
@@ -120,12 +122,8 @@ template <int dim>
 PressureBlock PressureDilatation<dim>::pressures(const Elimination<dim>& cell) const
 {
   const auto& basis = rule().basis();
-  return {n_modes,
-          basis.stride,
-          basis.n_nodes,
-          cell.kept,
-          cell.kept + std::size_t(n_modes) * n_modes,
-          &mass_inverse[cell.index]};
+  const Kept<const double> kept(*this, cell.kept);
+  return {n_modes, basis.stride, basis.n_nodes, kept.S, kept.B, &mass_inverse[cell.index]};
 }
 
 template void PressureDilatation<2>::set_constraint(const CellPoints<2>&, int, double*) const;

@@ -14,7 +14,7 @@ void PressureDilatation<dim>::add_heat(const CellView<dim>& view, const CellPoin
   const unsigned int n_nodes = rule().basis().n_nodes;
   const int n_c = view.cell.n_components, heat = n_c - 1;
   const CellHistory& history = *view.history;
-  double* B = result.elimination.data() + std::size_t(n_modes) * n_modes;
+  double* B = Kept<double>(*this, result.elimination.data()).B;
   double* dh_dt = B + (dim + 1) * block_size();
   for (unsigned int q = 0; q < points.n_points; ++q) {
     const double* N = points.gradients[q].N;

@@ -51,6 +51,7 @@ NewtonReport Newton::solve(NonlinearSystem& system, bool reuse) const
     return report;
   };
 
+  system.begin();
   ResidualReport residual = system.residual();
   report.residuals.push_back(residual.norm);
   report.min_det_F = residual.min_det_F;

@@ -42,6 +42,7 @@ public:
   /// Set the internal unknowns to those of the stress-free body at the uniform temperature.
   void start_internal();
 
+  void begin() override;
   ResidualReport residual() override;
   LinearReport linear_solve(bool reuse) override;
   void move_to(double step) override;
@@ -178,6 +179,7 @@ private:
   BlockVector raw_residual, loads, base, nodal_correction, nodal_response;
   std::vector<double> internal_base, internal_correction, internal_response;
   std::vector<double> internal_residual; ///< of all own cells
+  std::vector<double> stabilisations;    ///< of all own cells, MPa
   std::vector<double> eliminations;      ///< of all own cells, of the tangent last assembled
   std::function<void(double)> prescription;
   double load_factor = 0.;
@@ -199,6 +201,8 @@ void System<dim>::for_each_cell(const Visitor& visit) const
                        x.data(),    state.internal.data() + index * n_internal,
                        state.theta, layout.has(Field::temperature),
                        solved};
+    if (!stabilisations.empty())
+      view.stabilisation = stabilisations[index];
     if (has_history) {
       history.rates = *state.rates;
       for (std::size_t k = 0; k < history.rates.n_past; ++k) {

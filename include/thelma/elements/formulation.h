@@ -30,6 +30,7 @@ struct CellView {
   Solved solved = Solved::all;
   const CellHistory* history = nullptr; ///< where structural heat is wanted
   bool keeps_pressures = false;         ///< the tangent leaves out what goes through PressureBlock
+  double stabilisation = 0.;            ///< of the volume at points, MPa
 
   bool solves_deformation() const { return solved != Solved::temperature; }
   bool solves_temperature() const { return has_temperature && solved != Solved::deformation; }
@@ -96,6 +97,9 @@ public:
   virtual void setup(const FieldLayout<dim>& layout) = 0;
   virtual void residual(const CellView<dim>& view, CellResult& result) const = 0;
   virtual void tangent(const CellView<dim>& view, CellResult& result) const = 0;
+
+  /// What the volume at the points needs beyond its means, at this state; CellView::stabilisation.
+  virtual double stabilisation(const CellView<dim>&) const { return 0.; }
 
   /// What the cell stores in mJ (in plane strain per mm): the integrals of which residual() is the
   /// derivative, once the internal equations are solved.

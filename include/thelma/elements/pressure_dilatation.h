@@ -34,6 +34,7 @@ public:
   void recover(const Elimination<dim>& cell, const double* dx, double* correction) const override;
   unsigned int n_kept_pressures() const override { return n_modes; }
   PressureBlock pressures(const Elimination<dim>& cell) const override;
+  double stabilisation(const CellView<dim>& view) const override;
   Energies energies(const CellView<dim>& view) const override;
 
 protected:
@@ -56,11 +57,21 @@ private:
   using ModeMatrix = std::array<Modes, 8>;
   struct Local;
 
+  /// What elimination keeps of a tangent.
+  template <typename Number>
+  struct Kept {
+    Kept(const PressureDilatation& f, Number* start)
+        : S(start), stabilisation(S + std::size_t(f.n_modes) * f.n_modes), B(stabilisation + 1)
+    {
+    }
+    Number *S, *stabilisation, *B;
+  };
+
   /// Call @p action with the points of the full rule and those of the volumetric terms.
   template <typename Action>
   void with_points(const CellView<dim>& view, const Action& action) const;
   void integrate_energy(const CellView<dim>& view, const CellPoints<dim>& full,
-                        const CellPoints<dim>& volumetric, const Modes& p, bool with_tangent,
+                        const CellPoints<dim>& volumetric, const Local& local, bool with_tangent,
                         CellResult& result) const;
   void add_condensed(const CellView<dim>& view, const CellPoints<dim>& points, const Local& local,
                      CellResult& result) const;

@@ -83,6 +83,7 @@ class BorderedSystem final : public NonlinearSystem
 public:
   BorderedSystem(LoadedSystem& system, Plane plane) : system(system), plane(std::move(plane)) {}
 
+  void begin() override { system.begin(); }
   ResidualReport residual() override;
   LinearReport linear_solve(bool reuse) override;
   void move_to(double step) override;

@@ -36,6 +36,9 @@ class NonlinearSystem
 public:
   virtual ~NonlinearSystem() = default;
 
+  /// A solution is sought from the current iterate on.
+  virtual void begin() {}
+
   /// Residual at the current iterate.
   virtual ResidualReport residual() = 0;
 
