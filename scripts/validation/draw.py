@@ -1,7 +1,5 @@
 """What all kinds of scenes draw alike."""
 
-from dataclasses import replace  # noqa: F401, for all that draw
-
 import numpy as np
 
 from validation.material import Material

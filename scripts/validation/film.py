@@ -179,6 +179,8 @@ def first_fold(film, largest):
             y, E = trial, E + step
             continue
         if step < 1e-10 * largest:
+            if np.min(np.linalg.eigvalsh(film.hessian(y, E))) > 1e-3:
+                return None  # Newton's method has lost the state where chains are stretched out
             return Instability(E, fold_kind(film, y, E), tuple(film.stretches(y)))
         step /= 2
     return None
@@ -192,14 +194,14 @@ def fold_kind(film, y, E):
     return "limit point" if along > 1e-6 else "bifurcation"
 
 
-def first_wave(film, cells, largest):
+def first_wave(film, cells, largest, precision=1e-6):
     """The largest field up to which the mesh of quadratic elements is stable; largest if it is there."""
     waves, rest = Waves(film, cells), film.rest()
     if not waves.stable(rest, 0.0):
         return 0.0
     low, y = 0.0, rest
     step = largest / 16
-    while low < largest * (1 - 1e-12) and step > 1e-6 * largest:
+    while low < largest * (1 - 1e-12) and step > precision * largest:
         E = min(low + step, largest)
         trial = newton(lambda z, E=E: film.residual(z, E), y, iterations=25)
         if trial is not None and np.max(np.abs(trial - y)) < 0.5 and waves.stable(trial, E):

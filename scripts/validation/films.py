@@ -24,17 +24,18 @@ class Drawn:
     def __init__(self, film, cells):
         self.film, self.cells = film, cells
         one = draw.of_one(film.material)
-        cap = 4.0 * one / min(1.0, 1 / max(1.0, film.held[0] or 1.0))
+        # Free films fold below e = 1.1; what is stable up to here goes on to where chains are stretched out.
+        cap = 4 * film.held[0] * one if film.held[0] else 2 * one
         fold = first_fold(film, cap)
         self.fold = fold
-        self.hom = fold.field if fold else cap
+        self.cap, self.hom = cap, fold.field if fold else cap
         self.wave = first_wave(film, cells, self.hom)
         fine = tuple(n if axis == 2 else 2 * n for axis, n in enumerate(cells))
         below = self.wave * (1 - 1e-5)
         y = film.at_field(below)
         self.low = self.wave
         if y is None or not Waves(film, fine).stable(y, below):
-            self.low = first_wave(film, fine, self.wave)
+            self.low = first_wave(film, fine, self.wave, BRACKET / 4)
         self.waves_first = self.low < self.hom * (1 - BRACKET) or not fold
         self.is_pull_in = bool(fold) and fold.kind == "limit point" and not self.waves_first
 
@@ -73,7 +74,7 @@ def case(rng, element):
     """A film in one of five ways, below an instability or up to one."""
     how, film, cells = plane_or_not(rng)
     m, drawn = film.material, Drawn(film, cells)
-    past = rng.random() < 0.6 and drawn.wave < 3.9 * draw.of_one(m)
+    past = rng.random() < 0.6 and drawn.wave < 0.98 * drawn.cap
     voltage = drawn.wave * float(rng.uniform(1.1, 3)) if past else \
         drawn.low * draw.log_uniform(rng, 0.02, 0.93)
     follow = bool(past and drawn.fold and not drawn.waves_first and rng.random() < 0.4)
@@ -195,6 +196,8 @@ def compare_path(run, drawn, element, verdict):
         if found is None:
             break
         y, E = found
+        if any(row == at for _, at in events):
+            continue  # the count of either side
         verdict.value("field on the unstable branch", run.curve["voltage_kV"][row], E, 1e-7)
         count = waves.count(y, E)
         said = run.curve["unstable_directions"][row]

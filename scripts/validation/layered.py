@@ -142,9 +142,9 @@ class Solver:
                 return None
         for V in np.linspace(0, voltage, steps + 1)[1:]:
             y = newton(lambda z, V=V: self.residual(z, V), y)
-            if y is None or not self.stable(y, V):
+            if y is None:
                 return None
-        return y
+        return y if self.stable(y, voltage) else None
 
     def limit(self, largest):
         """The voltage of the first limit point (bisected to 1e-7 of the largest), or None."""

@@ -107,7 +107,8 @@ def material_entries(name, material):
 def text(case):
     """The parameter file."""
     numbers = ", ".join(f"{name}: {value}" for name, value in case.parameters.items())
-    names = {region: f"m{i}" for i, region in enumerate(case.materials)}
+    known = list(dict.fromkeys(case.materials.values()))  # a material of two regions has one section
+    names = {region: f"m{known.index(material)}" for region, material in case.materials.items()}
     entries = {"Mesh/File": case.mesh.name, "Mesh/Parameters": numbers,
                "Regions/Materials": ", ".join(f"{r}: {n}" for r, n in names.items()),
                "Discretisation/Formulation": case.element[0], "Discretisation/Degree": case.element[1],
