@@ -157,7 +157,8 @@ def compare(run, drawn, element, voltage, past, follow):
 def compare_states(run, drawn, element, verdict):
     """Every row with a voltage below the first instability: its thickness, and that it is stable."""
     film, y, E = drawn.film, drawn.film.rest(), 0.0
-    rows = [row for row, V in enumerate(run.curve.get("voltage_kV", []))
+    end = next((row for _, row in run.events()), None)  # behind an event are other branches
+    rows = [row for row, V in enumerate(list(run.curve.get("voltage_kV", []))[:end])
             if 0 < V < min(drawn.low, drawn.hom) * 0.98]
     for row in rows[:40]:
         V = run.curve["voltage_kV"][row]

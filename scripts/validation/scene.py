@@ -13,6 +13,7 @@ import study
 ROOT = Path(__file__).resolve().parents[2]
 LAYERS = Path(__file__).resolve().parent / "layers.geo"
 ELEMENTS = (("enhanced strain", 1), ("mean dilatation", 1), ("mean dilatation", 2), ("standard", 2))
+TIMEOUT = -1000  # in place of an exit code
 OF_THE_PAPER = (("selective reduced", 1), ("selective reduced", 2))
 
 
@@ -57,7 +58,7 @@ class Verdict:
 class Run:
     """What the program has left."""
 
-    exit_code: int  # -1: timeout
+    exit_code: int
     report: dict
     curve: dict
     last_line: str
@@ -141,15 +142,17 @@ def run(case, folder, program, mpiexec, timeout):
     (folder / "scene.prm").write_text(text(case))
     shutil.copy(case.mesh, folder)
     environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
-    try:
-        done = subprocess.run(command(program, mpiexec, case.ranks), cwd=folder, env=environment,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                              errors="replace", check=False, timeout=timeout)
-        code, said = done.returncode, done.stdout
-    except subprocess.TimeoutExpired:
-        code, said = -1, f"not done within {timeout} s"
+    with subprocess.Popen(command(program, mpiexec, case.ranks), cwd=folder, env=environment,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          errors="replace") as process:
+        try:
+            said, _ = process.communicate(timeout=timeout)
+            code = process.returncode
+        except subprocess.TimeoutExpired:
+            process.terminate()  # mpirun ends its ranks; killed it would leave them behind
+            code, said = TIMEOUT, process.communicate()[0] + f"\nnot done within {timeout} s"
     (folder / "log.txt").write_text(said)
     report, curve = folder / "run/run.json", folder / "run/curve.csv"
     lines = [line.strip() for line in said.splitlines() if line.strip()] or [""]
-    return Run(code, json.loads(report.read_text()) if code >= 0 and report.is_file() else {},
-               study.read_columns(curve, ()) if code >= 0 and curve.is_file() else {}, lines[-1])
+    return Run(code, json.loads(report.read_text()) if code != TIMEOUT and report.is_file() else {},
+               study.read_columns(curve, ()) if code != TIMEOUT and curve.is_file() else {}, lines[-1])
