@@ -53,8 +53,8 @@ def bilayer(rng, element):
         a, b = (replace(m, alpha=draw.log_uniform(rng, 1e-6, 3e-4)) for m in (a, b))
         b = replace(b, alpha=a.alpha) if rng.random() < 0.7 else b
     ha = float(round(rng.uniform(0.25, 0.75), 2))
-    length, n3 = float(rng.choice([10.0, 16.0])), int(rng.choice([8, 12, 16]))
-    n = 1 if element[1] == 2 else 2
+    length, n3 = float(rng.choice([10.0, 16.0])), int(rng.choice([8, 12, 16, 20]))
+    n = int(rng.integers(1, 3)) if element[1] == 2 else 2
     e = draw.log_uniform(rng, 1e-4, 0.6) if rng.random() < 0.6 else float(rng.uniform(0.1, 0.6))
     voltage = e * draw.of_one(a) * ha
     solver = Solver(Layered("bilayer", ((ha, a, True), (1 - ha, b, False))))
