@@ -1,8 +1,9 @@
 """Bilayers that bend into a circle, and columns: strips that buckle between smooth walls.
 
-Tolerances, with a the length of a cell, H the thickness (of the thinner layer, the softest bending), n cells through it, k the curvature (of the circle, or of
-the buckling mode, pi/L). A quadratic element leaves the cubic part of the circle out, k^2 s^3/6: a strain of
-0.0373 (k a)^2, root mean square, whose energy is (k a)^2 (a/H)^2/60 of that of bending:
+Tolerances, with a the length of a cell, H the thickness (of the thinner layer, the softest in bending), n cells
+through it, k the curvature (of the circle, or of the buckling mode, pi/L). A quadratic element leaves out the
+cubic part of the circle, k^2 s^3/6: a strain of 0.0373 (k a)^2, root mean square, whose energy is
+(k a)^2 (a/H)^2/60 of that of bending:
 
     degree 2:         (k a)^2 (a/H)^2/60 + (k a)^4/180
     enhanced strain:  (k a)^2/6 + (k a)^4, and 1/n^4 of linear strains through the thickness
@@ -50,12 +51,13 @@ def bilayer(rng, element):
     theta = float(round(rng.uniform(273, 353))) if hot else 293.0
     a, b = (draw.material(rng).at(theta) for _ in range(2))
     if hot and rng.random() < 0.7:  # evenly expanding: the heated state hardly bends
-        a, b = (replace(m, alpha=draw.log_uniform(rng, 1e-6, 3e-4)) for m in (a, b))
-        b = replace(b, alpha=a.alpha) if rng.random() < 0.7 else b
+        strain = draw.log_uniform(rng, 1e-5, 5e-3)
+        a = replace(a, alpha=float(np.clip(strain / max(abs(theta - 293), 1), 1e-6, 3e-4)))
+        b = replace(b, alpha=a.alpha)
     ha = float(round(rng.uniform(0.25, 0.75), 2))
     length, n3 = float(rng.choice([10.0, 16.0])), int(rng.choice([8, 12, 16, 20]))
-    n = int(rng.integers(1, 3)) if element[1] == 2 else 2
-    e = draw.log_uniform(rng, 1e-4, 0.6) if rng.random() < 0.6 else float(rng.uniform(0.1, 0.6))
+    n = int(rng.choice([1, 2, 2])) if element[1] == 2 else 2
+    e = draw.log_uniform(rng, 1e-4, 0.6) if rng.random() < 0.4 else float(rng.uniform(0.1, 0.6))
     voltage = e * draw.of_one(a) * ha
     solver = Solver(Layered("bilayer", ((ha, a, True), (1 - ha, b, False))))
     rest, y = solver.path(0.0, 1), solver.path(voltage, 2 + int(20 * e))
@@ -64,7 +66,7 @@ def bilayer(rng, element):
         return bilayer(rng, element)
     entries = {"Dimension": 2, "Regions/Passive": "b", "Temperature/Value": theta, "Loading/Control": "voltage",
                "Loading/Target": voltage, "Loading/Film thickness": ha, "Loading/Film material": "m0",
-               "Stepping/Initial step": float(rng.choice([0.05, 0.1])),
+               "Stepping/Initial step": float(rng.choice([0.02, 0.05, 0.05, 0.1])),
                "Supports/Fixed": "root: u3, pin: u1", "Electrodes/Potential": "outer: 1, interface: 0",
                "Output/Observables": "mid_rotation", "Observables/mid_rotation/Section": length / 4}
     parameters = {"L": length, "ha": ha, "hb": 1 - ha, "na": n, "nb": n, "n3": n3}

@@ -70,8 +70,8 @@ def summary(results):
     """Counts, and the median error of each kind of scene and element."""
     wrong, crashed, all_of_them = (sum(map(bool, values)) for values in (
         (r.wrong_end for r in results), (r.crashed for r in results), (r.disagreements for r in results)))
-    said = [f"{len(results)} draws: {all_of_them} disagree, {wrong} wrong endings, {crashed} crashes or timeouts; median of the "
-            "largest errors:"]
+    said = [f"{len(results)} draws: {all_of_them} disagree, {wrong} wrong endings, {crashed} crashes or timeouts; "
+            "median of the largest errors:"]
     groups = {}
     for result in results:
         groups.setdefault((result.kind, *result.element), []).append(result)
