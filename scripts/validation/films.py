@@ -93,8 +93,9 @@ def case(rng, element):
     else:
         mesh, region = ROOT / "meshes/box.geo", {"film": m}
         parameters = dict(zip(("n1", "n2", "n3"), cells))
+    sides = " ".join("free" if stretch is None else f"{stretch:.4g}" for stretch in film.held)
     story = (f"film, {how}, {draw.told(m)}, " + " x ".join(map(str, drawn.cells)) + " cells, "
-             f"load {film.load[0] / m.mu:.2g}, {film.load[1] / m.mu:.2g} mu, sides {film.held}, to "
+             f"load {film.load[0] / m.mu:.2g}, {film.load[1] / m.mu:.2g} mu, sides {sides}, to "
              f"{voltage / drawn.wave:.3g} of the critical field" + (", followed" if follow else ""))
     return Case("film", element, mesh, parameters, region, entries, story,
                 lambda run: compare(run, drawn, element, voltage, past, follow))
