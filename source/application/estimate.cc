@@ -195,7 +195,7 @@ Override Estimation::refinements(const int more) const
 /// order is measured. Whether there are two at least.
 bool Estimation::refine(const std::vector<Override>& same_steps)
 {
-  constexpr double most_in_plane = 1.5e5, most_in_space = 5e4; // unknowns
+  constexpr double most_in_plane = 1.5e5, most_in_space = 4e4; // unknowns
   double unknowns = 0.;
   for (const auto& field : given.unknowns)
     unknowns += static_cast<double>(field.second);
