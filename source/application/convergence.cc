@@ -63,22 +63,25 @@ bool ended_at_pull_in(const Outcome& outcome)
 Convergence convergence(const std::vector<double>& values, const std::size_t given,
                         const double highest_order, const double noise)
 {
-  // Roache's factors of safety. Without a measured order that is 3, which covers orders of 0.6 on.
-  constexpr double safety = 1.25, safety_of_two = 3., lowest_order = 0.5, no_order = 0.4;
+  // Roache's factors of safety are 1.25 and, without a measured order, 3, which covers orders of
+  // 0.6 on.
+  constexpr double share = 0.25, lowest_order = 0.5, no_order = 0.4;
   const double finest = values.back(), last = finest - values[values.size() - 2],
                before = values[1] - values[0];
-  const double larger = std::max(std::abs(before), std::abs(last));
+  if (values.size() == 2)
+    return {2. * last, std::abs(last)};
   // What keeps all its digits has converged, what keeps none is zero but for round-off.
-  constexpr double all = 1e-6, none = 0.5;
-  const bool is_noise =
-      larger <= noise && (larger < all * std::abs(finest) || larger > none * std::abs(finest));
-  if (values.size() == 2 || is_noise)
-    return {safety_of_two * larger};
+  constexpr double all = 1e-3, none = 0.5;
+  const double larger = std::max(std::abs(before), std::abs(last));
+  if (larger <= noise &&
+      (larger < all * std::abs(finest) || larger > none * std::abs(finest) || larger == 0.))
+    return {0., 3. * larger};
   const double order = std::log2(std::abs(before / last)); // infinite if the last two agree
-  const double left =
-      std::abs(last) / (std::exp2(std::clamp(order, lowest_order, highest_order)) - 1.);
-  return {safety * (std::abs(finest - values[given]) + left),
-          !(before * last > 0. && order < no_order)};
+  const double left = last / (std::exp2(std::clamp(order, lowest_order, highest_order)) - 1.);
+  const double way = finest - values[given];
+  if (before * last < 0.)
+    return {way, share * std::abs(way) + (1. + share) * std::abs(left)};
+  return {way + left, share * std::abs(way + left), !(before * last > 0. && order < no_order)};
 }
 
 std::vector<Result> results(const Outcome& outcome, const double newton_tolerance)

@@ -25,7 +25,12 @@ struct Estimate {
   Convergence mesh, time;
 
   bool has_limit() const { return mesh.has_limit; }
-  double error() const { return result.uncertainty + mesh.error + time.error; }
+
+  /// Errors of opposite sign are not added.
+  double error() const
+  {
+    return result.uncertainty + std::abs(mesh.way + time.way) + mesh.doubt + time.doubt;
+  }
 };
 
 /// What a scene says that matters here.
@@ -98,9 +103,9 @@ std::string table(const std::vector<Estimate>& estimates)
   for (const Estimate& one : estimates) {
     text << one.result.name << ',' << one.result.value << ',';
     if (one.has_limit())
-      text << one.error() << ',' << one.mesh.error << ',' << one.time.error << ",\n";
+      text << one.error() << ',' << one.mesh.error() << ',' << one.time.error() << ",\n";
     else
-      text << "nan,nan," << one.time.error << ",no limit\n";
+      text << "nan,nan," << one.time.error() << ",no limit\n";
   }
   return text.str();
 }
@@ -118,7 +123,7 @@ void print(const std::vector<Estimate>& estimates, const bool in_time, std::ostr
     if (one.has_limit() && std::abs(value) > one.error())
       console << "  (" << 100. * one.error() / std::abs(value) << " %)";
     if (one.has_limit() && in_time)
-      console << "  mesh " << one.mesh.error << ", time " << one.time.error;
+      console << "  mesh " << one.mesh.error() << ", time " << one.time.error();
     console << "\n";
   }
   console << std::flush;

@@ -170,7 +170,7 @@ def check_homogeneous(program, folder):
 def check_singular(program, folder):
     """At the edge of an electrode the field is singular: the order is 1 whatever the degree. In a free
     surface displacements there have no limit."""
-    for n in (2, 4):
+    for n in (2, 3):
         (folder / "film.geo").write_text(HALF_COVERED.format(n=n))
         (folder / "film.prm").write_text(HALF_COVERED_SCENE)
         program.run(os.path.relpath(folder / "film", program.source / "prm"), folder / "out",
@@ -192,19 +192,18 @@ def wave(time, omega, depth):
 def check_time(program, folder):
     """Steps of one length and adapted ones, of both orders, on coarse meshes."""
     for scheme in ("backward Euler", "BDF2"):
-        for tolerance, step in ((0, 0.06), (0.1, 1e-3)):
-            for degree, n in ((1, 4), (2, 2)):
-                entries = {"Time/Scheme": scheme, "Time/Tolerance": str(tolerance),
-                           "Time/Initial step": str(step), "Discretisation/Degree": str(degree),
-                           "Mesh/Parameters": f"L1: 0.1, L2: 0.1, L3: 0.5, n1: 1, n2: 1, n3: {n}",
-                           "Output/Fields": "none"}
-                program.run("verification/slab_heating", folder, "--estimate", *settings(entries))
-                judge(f"slab, {scheme}, {tolerance} K a step, degree {degree}, {n} cells",
-                      estimates(folder), {"probe_theta_K": mid_temperature(1.2)})
+        for tolerance, step, degree, n in ((0, 0.06, 1, 4), (0.1, 1e-3, 2, 2)):
+            entries = {"Time/Scheme": scheme, "Time/Tolerance": str(tolerance),
+                       "Time/Initial step": str(step), "Discretisation/Degree": str(degree),
+                       "Mesh/Parameters": f"L1: 0.1, L2: 0.1, L3: 0.5, n1: 1, n2: 1, n3: {n}",
+                       "Output/Fields": "none"}
+            program.run("verification/slab_heating", folder, "--estimate", *settings(entries))
+            judge(f"slab, {scheme}, {tolerance} K a step, degree {degree}, {n} cells",
+                  estimates(folder), {"probe_theta_K": mid_temperature(1.2)})
     omega = 2 * math.pi / 1.5
     entries = {"Time/End": "12", "Time/Initial step": "0.1", "Time/Tolerance": "0",
                "Time/Wall amplitude": f"sin({omega!r}*t)", "Temperature/Fixed": "bottom: 313",
-               "Mesh/Parameters": "L1: 0.1, L2: 0.1, L3: 0.5, n1: 1, n2: 1, n3: 4",
+               "Mesh/Parameters": "L1: 0.1, L2: 0.1, L3: 0.5, n1: 1, n2: 1, n3: 3",
                "Output/Fields": "none"}
     program.run("verification/slab_heating", folder, "--estimate", *settings(entries))
     judge("thermal wave", estimates(folder), {"probe_theta_K": wave(12, omega, 0.5)})

@@ -24,7 +24,7 @@ std::vector<double> series(const double limit, const Error& error, const unsigne
 /// Estimate over true error.
 double effectivity(const std::vector<double>& values, const std::size_t given, const double limit)
 {
-  return convergence(values, given, 4., 0.).error / std::abs(values[given] - limit);
+  return convergence(values, given, 4., 0.).error() / std::abs(values[given] - limit);
 }
 
 TEST(Convergence, MeasuresTheOrder)

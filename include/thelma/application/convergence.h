@@ -2,6 +2,7 @@
 
 #include <thelma/output/outcome.h>
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,8 +20,9 @@ struct Series {
 
 /// How far a number lies from its limit in a series, probably.
 struct Convergence {
-  double error = 0.;
-  bool has_limit = true; ///< as far as the series tells
+  double way = 0., doubt = 0.; ///< to the limit, with its sign, and how much of that is uncertain
+  bool has_limit = true;       ///< as far as the series tells
+  double error() const { return std::abs(way) + doubt; }
 };
 
 /// Of @p values, one of each run of a series (theory.md, eqs. 80 and 81); differences up to
