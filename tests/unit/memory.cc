@@ -26,7 +26,7 @@ void make_laplacian(const unsigned int n, dealii::TrilinosWrappers::SparseMatrix
   const auto for_each = [&](const auto& visit) {
     for (unsigned int i = 0; i < size; ++i) {
       visit(i, i, 6.1);
-      const std::array<unsigned int, 3> place{i % n, i / n % n, i / n / n}, step{1, n, n * n};
+      const std::array<unsigned int, 3> place{{i % n, i / n % n, i / n / n}}, step{{1, n, n * n}};
       for (unsigned int d = 0; d < 3; ++d)
         if (place[d] + 1 < n) {
           visit(i, i + step[d], -1.);
