@@ -65,12 +65,19 @@ template <int dim>
 Outcome Problem<dim>::run()
 {
   results.start(parameters(), outcome, theta, resumes);
-  if (part == Part::heating)
-    heat();
-  if (outcome.code == ExitCode::success && part != Part::time)
-    apply_loads();
-  if (outcome.has_reached_target() && layout.is_transient())
-    evolve();
+  try {
+    if (part == Part::heating)
+      heat();
+    if (outcome.code == ExitCode::success && part != Part::time)
+      apply_loads();
+    if (outcome.has_reached_target() && layout.is_transient())
+      evolve();
+  } catch (const OutOfMemory& error) {
+    if (!state.path().empty())
+      state.restore();
+    outcome = failure(Outcome::out_of_memory, error.what());
+    outcome.code = ExitCode::stopped;
+  }
   outcome.effort.add(path_following.effort());
   outcome.failed_steps += path_following.failures();
   results.finish(scene(), outcome);

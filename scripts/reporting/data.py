@@ -119,7 +119,7 @@ def changed_entries(path):
 
 
 def estimates(path):
-    """Rows of estimate.csv: quantity, value, error."""
+    """Rows of estimate.csv: quantity, value, error, which is not a number where there is no limit."""
     if not path.is_file():
         return []
     return [(row["quantity"], float(row["value"]), float(row["error_estimate"]))

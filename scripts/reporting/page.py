@@ -1,6 +1,7 @@
 """The page: one HTML file with everything in it."""
 
 import json
+import math
 from datetime import datetime
 from html import escape
 from pathlib import Path
@@ -184,7 +185,8 @@ def convergence(runs):
 
 def estimates(runs):
     """What --estimate found."""
-    rows = [(run.label, name, value, error, f"{100 * abs(error / value):.2g} %" if value else "")
+    rows = [(run.label, name, value, *(("no limit", "") if math.isnan(error) else
+                                       (error, f"{100 * abs(error / value):.2g} %" if value else "")))
             for run in runs for name, value, error in run.estimates]
     if not rows:
         return section("Error estimates", "<p>None: run with <code>--estimate</code> to have the "

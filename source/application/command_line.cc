@@ -182,8 +182,8 @@ Simulates dielectric elastomer actuators: finite deformation, electric field, te
                                      runs as fit go side by side
   --output DIR                       where results go (default output/<name of FILE>)
   --restart DIR                      go on with what is in DIR; stands alone
-  --estimate                         run again on a mesh twice as fine and print the error of
-                                     every number (estimate.csv)
+  --estimate                         run again on finer meshes, in time also with shorter steps, and
+                                     print the error of every number (estimate.csv)
   --check                            say all that is wrong with the scene, run nothing
   --list                             known laws, formulations, solvers, observables and units,
                                      each with its meaning
@@ -211,7 +211,7 @@ Exit codes
      remedy
   2  an expectation of the file failed
   3  no convergence or an unexpected instability; partial results are kept
-  4  stopped, by a signal or because a file cannot be written; go on with --restart
+  4  stopped, by a signal or because memory or disk is full; go on with --restart
   70 an error in the program
 The exit code of a sweep is the largest of its runs.
 )";

@@ -37,8 +37,6 @@ auto with_problem(const MPI_Comm comm, const ParameterFile& file, const std::str
     if (dimension_of(file) == 2)
       return action(*std::make_unique<Problem<2>>(comm, file, folder, console));
     return action(*std::make_unique<Problem<3>>(comm, file, folder, console));
-  } catch (const WriteError&) {
-    throw;
   } catch (const InputError& error) {
     std::vector<std::string> sentences = error.sentences();
     for (std::string& sentence : sentences)

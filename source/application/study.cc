@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <exception>
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
@@ -106,7 +107,9 @@ Study::Study(const MPI_Comm world, const CommandLine& line)
 
 Study::~Study()
 {
-  MPI_Comm_free(&group);
+  // An exception may have hit this rank alone, and the others would never come here.
+  if (std::uncaught_exceptions() == 0)
+    MPI_Comm_free(&group);
 }
 
 ExitCode Study::run()
@@ -123,7 +126,7 @@ ExitCode Study::run()
         if (this_mpi_process(group) == 0)
           publish(*one);
       }
-  } catch (const InputError& error) {
+  } catch (const WriteError& error) {
     std::cerr << "thelma: " << error.what() << std::endl;
     MPI_Abort(world, static_cast<int>(ExitCode::stopped));
   }

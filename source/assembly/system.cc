@@ -128,10 +128,8 @@ void System<dim>::compute_scales()
         dealii::Utilities::MPI::sum(electrode.own_sum(forces), layout.communicator()));
   conditions.constraints().set_zero(forces);
   scales.clear();
-  for (unsigned int b = 0; b < forces.n_blocks(); ++b) {
-    const double norm = forces.block(b).l2_norm();
-    scales.push_back(norm > 0. ? norm : 1.);
-  }
+  for (unsigned int b = 0; b < forces.n_blocks(); ++b)
+    scales.push_back(forces.block(b).l2_norm());
 }
 
 template <int dim>

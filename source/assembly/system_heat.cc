@@ -22,7 +22,8 @@ double System<dim>::scale(const unsigned int block) const
 {
   const bool temperature =
       layout.has(Field::temperature) && block == layout.block(Field::temperature);
-  return scales[block] + (temperature ? heat.storage_scale(state) : 0.);
+  const double size = scales[block] + (temperature ? heat.storage_scale(state) : 0.);
+  return size > 0. ? size : 1.; // where all is given
 }
 
 template <int dim>

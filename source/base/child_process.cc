@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <exception>
 #include <new>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -16,7 +17,8 @@ namespace thelma
 namespace
 {
 
-constexpr char result = 'r', error = 'e'; ///< first letters of an answer
+/// First letters of an answer; a failure is told beside the parent's complaint.
+constexpr char result = 'r', error = 'e', failure = 'f';
 
 /// What is told of a crash is the parent's to say, and a stop ends the child at once.
 void forget_signals()
@@ -64,6 +66,10 @@ std::string answer(const std::function<std::string()>& action)
     return error + std::string(complaint.what());
   } catch (const std::bad_alloc&) {
     return "";
+  } catch (const std::exception& other) {
+    return failure + std::string(other.what());
+  } catch (...) { // what leaves here would run on as if it were the parent
+    return failure + std::string("unknown error");
   }
 }
 
@@ -99,6 +105,8 @@ std::string in_child_process(const std::function<std::string()>& action, const d
     throw InputError(complaint + " (" + reason(status) + ")");
   if (text[0] == error)
     throw InputError(text.substr(1));
+  if (text[0] == failure)
+    throw InputError(complaint + " (" + text.substr(1) + ")");
   return text.substr(1);
 }
 

@@ -176,10 +176,10 @@ void add_quantity(dealii::ParameterHandler& prm, const std::string& entry, doubl
 
 void add_quantity(dealii::ParameterHandler& prm, const std::string& entry,
                   std::vector<double>& values, const std::string& sentence,
-                  const Quantity& quantity)
+                  const Quantity& quantity, const unsigned int least, const unsigned int most)
 {
   declare(prm, entry, values, sentence + quantity.unit_sentence(),
-          dealii::Patterns::List(quantity, 1, 10));
+          dealii::Patterns::List(quantity, least, most));
 }
 
 void add_quantity(dealii::ParameterHandler& prm, const std::string& entry,

@@ -67,7 +67,9 @@ public:
     const std::size_t n_outer = view.cell.dofs.size(), n = std::size_t(n_nodes) * n_c;
     for (std::size_t k = n_outer; k < n; ++k) {
       const bool heat = view.has_temperature && static_cast<int>(k % n_c) == n_c - 1;
-      if (heat ? !view.solves_temperature() : !view.solves_deformation())
+      const bool is_free = heat ? view.solves_temperature() && view.cell.material->thermal.k > 0.
+                                : view.solves_deformation();
+      if (!is_free)
         result.tangent[k * n + k] = std::numeric_limits<double>::infinity(); // it does not move
     }
     result.elimination.resize(n_elimination(), 0.);
@@ -208,7 +210,8 @@ private:
         const double unit = c < dim                               ? mu
                             : c == dim && view.cell.has_potential ? D
                                                                   : material.thermal.k;
-        sum += std::pow(R[k * n_c + c] / unit, 2) / size;
+        if (unit > 0.) // without conduction a mode of the temperature does nothing
+          sum += std::pow(R[k * n_c + c] / unit, 2) / size;
       }
     }
     return sum;

@@ -75,8 +75,10 @@ __attribute__((target("avx512f,avx2,fma"))) void with_avx512(const Product& p)
     return multiply<8, 1, 0>(p);
   case 12:
     return multiply<4, 1, 1>(p);
-  default:
+  case 28:
     return multiply<4, 3, 1>(p);
+  default:
+    return plain(p);
   }
 }
 
@@ -89,8 +91,10 @@ __attribute__((target("avx2,fma"))) void with_avx2(const Product& p)
     return multiply<4, 0, 2>(p);
   case 12:
     return multiply<4, 0, 3>(p);
-  default:
+  case 28:
     return multiply<2, 0, 7>(p);
+  default:
+    return plain(p);
   }
 }
 

@@ -1,6 +1,8 @@
 #include <thelma/elements/product.h>
 #include <thelma/elements/tangent_blocks.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace thelma
@@ -16,7 +18,8 @@ struct Strided {
 
 /// Of each of the n parts one number, then the next; n is known to the compiler.
 template <unsigned int n>
-void interleave(const std::array<Strided, 5>& parts, const unsigned int length, double* row)
+void interleave(const std::array<Strided, TangentBlocks::most_components>& parts,
+                const unsigned int length, double* row)
 {
   for (unsigned int b = 0; b < length; ++b)
     for (unsigned int d = 0; d < n; ++d)
@@ -28,6 +31,7 @@ void interleave(const std::array<Strided, 5>& parts, const unsigned int length, 
 void TangentBlocks::reset(const unsigned int nodes, const unsigned int components,
                           const bool is_symmetric)
 {
+  AssertThrow(components >= 1 && components <= most_components, dealii::ExcInternalError());
   n_nodes = nodes;
   stride = padded(nodes);
   n_components = components;
@@ -67,7 +71,7 @@ void TangentBlocks::write(std::vector<double>& tangent) const
 void TangentBlocks::write_row(const unsigned int c, const unsigned int a, double* row) const
 {
   static const double zero = 0.;
-  std::array<Strided, 5> parts;
+  std::array<Strided, TangentBlocks::most_components> parts;
   for (unsigned int d = 0; d < n_components; ++d) {
     const bool mirrored = symmetric && d < c;
     const std::size_t block = mirrored ? place(d, c) : place(c, d);

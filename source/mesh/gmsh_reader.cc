@@ -230,6 +230,15 @@ void require_dimension(const std::string& file, const int dim)
                                    "2` for plane strain, or extrude it"));
 }
 
+void require_cells(const std::string& file, const CoarseMesh& mesh, const int dim)
+{
+  for (const PhysicalGroup& group : mesh.groups)
+    if (group.dimension == dim && group.elements.empty())
+      throw InputError("section Mesh, entry 'File': the region '" + group.name + "' of '" + file +
+                       "' has no cells; mesh it in " + (dim == 3 ? "three" : "two") +
+                       " dimensions (in a .geo without `Mesh` commands that is done here)");
+}
+
 /// The plane is that of x1 and x3.
 void require_plane(const std::string& file, const CoarseMesh& mesh)
 {
@@ -264,6 +273,11 @@ CoarseMesh read_here(const std::string& file, const std::map<std::string, double
   std::map<std::size_t, unsigned int> index;
   for (std::size_t i = 0; i < tags.size(); ++i) {
     index[tags[i]] = i;
+    for (std::size_t d = 3 * i; d < 3 * i + 3; ++d)
+      if (!std::isfinite(coordinates[d]))
+        throw InputError("section Mesh, entry 'File': node " + std::to_string(tags[i]) + " of '" +
+                         file + "' lies at x" + std::to_string(d % 3 + 1) + " = " +
+                         as_text(coordinates[d]) + "; write a number there");
     mesh.vertices.push_back({{coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]}});
   }
 
@@ -277,6 +291,7 @@ CoarseMesh read_here(const std::string& file, const std::map<std::string, double
     read_elements(group, tag, index);
     mesh.groups.push_back(group);
   }
+  require_cells(file, mesh, dim);
   drop_unused_vertices(mesh, dim);
   if (dim == 2)
     require_plane(file, mesh);

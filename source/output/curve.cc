@@ -2,6 +2,7 @@
 #include <thelma/output/curve.h>
 
 #include <algorithm>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -37,6 +38,22 @@ void write_file(const std::string& file, const std::string& content)
   }
 }
 
+bool append_to_file(const std::string& file, const std::string& text)
+{
+  const int descriptor = open(file.c_str(), O_WRONLY | O_APPEND);
+  if (descriptor < 0)
+    return false;
+  // One call, which no signal interrupts once it writes to a disk.
+  const off_t size = lseek(descriptor, 0, SEEK_END);
+  const bool done =
+      ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+  const bool undone = done || ftruncate(descriptor, size) == 0;
+  close(descriptor);
+  if (!undone)
+    throw WriteError("cannot write '" + file + "'; choose another --output folder or make room");
+  return done;
+}
+
 void remove_file(const std::string& file)
 {
   std::error_code error;
@@ -51,19 +68,36 @@ void Curve::add(const std::vector<double>& values)
   rows.push_back({values, ""});
 }
 
-void Curve::write(const std::string& file) const
+void Curve::set_event(const std::string& event)
+{
+  if (rows.back().event != event && n_written == rows.size())
+    n_written = 0;
+  rows.back().event = event;
+}
+
+/// The rows from @p first on, with those of the header before them if that is all.
+std::string Curve::text_of(const std::size_t first) const
 {
   std::ostringstream text;
   text.precision(15);
-  for (const std::string& column : columns)
-    text << column << ',';
-  text << "event\n";
-  for (const Row& row : rows) {
-    for (const double value : row.values)
-      text << value << ',';
-    text << row.event << '\n';
+  if (first == 0) {
+    for (const std::string& column : columns)
+      text << column << ',';
+    text << "event\n";
   }
-  write_file(file, text.str());
+  for (std::size_t r = first; r < rows.size(); ++r) {
+    for (const double value : rows[r].values)
+      text << value << ',';
+    text << rows[r].event << '\n';
+  }
+  return text.str();
+}
+
+void Curve::write(const std::string& file)
+{
+  if (n_written == 0 || !append_to_file(file, text_of(n_written)))
+    write_file(file, text_of(0));
+  n_written = rows.size();
 }
 
 const double* Curve::newest(const std::string& column) const

@@ -69,6 +69,8 @@ Outcome outcome_of(const ordered_json& report)
   outcome.steps = report.at("steps");
   outcome.effort.iterations = report.at("newton_iterations");
   outcome.seconds = report.at("seconds");
+  outcome.cells = report.at("cells");
+  outcome.unknowns = report.at("unknowns").get<std::map<std::string, unsigned long long>>();
   for (const auto& [name, value] : report.at("final_values").items())
     outcome.final_values.emplace_back(name, number(value));
   return outcome;

@@ -21,9 +21,9 @@ struct SurfaceMean {
              const unsigned int component)
   {
     const auto& scalar = scene.layout.scalar_element();
-    dealii::FEFaceValues<dim> values(scalar, dealii::QGauss<dim - 1>(scalar.degree + 1),
-                                     dealii::update_values | dealii::update_JxW_values |
-                                         dealii::update_quadrature_points);
+    dealii::FEFaceValues<dim> values(
+        scene.layout.mapping(), scalar, dealii::QGauss<dim - 1>(scalar.degree + 1),
+        dealii::update_values | dealii::update_JxW_values | dealii::update_quadrature_points);
     std::vector<dealii::types::global_dof_index> dofs;
     double area = 0., moment = 0.;
     bool other = false;

@@ -160,7 +160,8 @@ private:
       factors[block] = std::make_unique<Mumps>(communicator, true);
     inverses[block] = [this, block](Vector& x, const Vector& b) {
       x = b;
-      factors[block]->solve(x);
+      if (!factors[block]->solve(x).solved)
+        x = 0.; // the Krylov method then says that it does not converge
     };
     return factors[block]->factorise(matrix);
   }

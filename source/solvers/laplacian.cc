@@ -24,7 +24,7 @@ void Laplacian::solve(BlockVector& vector)
     return;
   }
   if (factors) {
-    factors->solve(vector);
+    works = factors->solve(vector).solved;
     return;
   }
   BlockMatrix<double>::Vector b = block.vector_of_rows(), x = b;

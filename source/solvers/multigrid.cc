@@ -99,7 +99,8 @@ void Multigrid::cycle(const std::size_t index, Vector& x, const Vector& b) const
   if (index == levels.size()) {
     Doubles solution(b.get_partitioner());
     solution.copy_locally_owned_data_from(b);
-    coarsest->solve(solution);
+    if (!coarsest->solve(solution).solved)
+      solution = 0.; // the Krylov method then says that it does not converge
     x.copy_locally_owned_data_from(solution);
     return;
   }

@@ -1,9 +1,12 @@
+#include <thelma/base/error.h>
 #include <thelma/solvers/mumps.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <Epetra_CrsMatrix.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <exception>
 
@@ -41,6 +44,14 @@ void for_each_entry(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix, c
         visit(row + r, column + c, value);
       });
     }
+}
+
+/// Codes of arrays that could not be allocated, and of a workspace that is still too small when it
+/// cannot grow.
+bool lacks_memory(const int code)
+{
+  constexpr std::array<int, 9> codes{-5, -7, -8, -9, -11, -13, -14, -15, -19};
+  return std::find(codes.begin(), codes.end(), code) != codes.end();
 }
 
 } // namespace
@@ -129,6 +140,12 @@ LinearReport Mumps::outcome() const
     const double entries = mumps.infog[28] > 0 ? mumps.infog[28] : -1e6 * mumps.infog[28];
     return {true, "", true, mumps.infog[11], 2. + mumps.rinfog[0] / (72. * entries)};
   }
+  if (lacks_memory(code))
+    throw OutOfMemory(
+        "out of memory: MUMPS finds no room for the factors of " + std::to_string(mumps.n) +
+        " unknowns (INFOG(1) = " + std::to_string(code) +
+        "); choose a coarser mesh in the section Mesh, the block solver, or a machine "
+        "with more");
   return {false, code == -10 ? "the tangent is singular"
                              : "MUMPS failed with INFOG(1) = " + std::to_string(code) +
                                    ", INFOG(2) = " + std::to_string(mumps.infog[1])};

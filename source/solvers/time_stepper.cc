@@ -26,6 +26,9 @@ void TimeStepper::declare(dealii::ParameterHandler& prm)
                "Error of the temperature that one time step may make (root mean square over the "
                "nodes); 0: every step is as long as the first.",
                Quantity("K", 0.).of_difference());
+  add_quantity(prm, "Stops", wanted_stops,
+               "Times that the steps meet, beside the corners of amplitudes given as tables.",
+               Quantity("s", 0.), 0, 1000000);
 }
 
 void TimeStepper::start(const std::vector<double>& kinks)
@@ -33,6 +36,7 @@ void TimeStepper::start(const std::vector<double>& kinks)
   time = trial = 0.;
   size = std::min(initial, largest);
   stops = kinks;
+  stops.insert(stops.end(), wanted_stops.begin(), wanted_stops.end());
   stops.push_back(end);
   std::sort(stops.begin(), stops.end());
 }

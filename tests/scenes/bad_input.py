@@ -72,6 +72,31 @@ Physical Surface("bottom") = 1;
 Physical Surface("top") = b1[0];
 """
 
+# A cube, one of whose nodes lies nowhere.
+LOST_NODE = """$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+1
+3 1 "film"
+$EndPhysicalNames
+$Nodes
+8
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+5 0 {} 1
+6 1 0 1
+7 1 1 1
+8 0 1 1
+$EndNodes
+$Elements
+1
+1 5 2 1 1 1 2 3 4 5 6 7 8
+$EndElements
+"""
+
 # Of one that is no plane of x1 and x3, and of one that is.
 FLAT = """Point(1) = {{0, 0, 0}};
 line[] = Extrude {{1, 0, 0}} {{ Point{{1}}; Layers{{1}}; }};
@@ -264,6 +289,13 @@ CASES = [
      ["'loose' floats", "another body"]),
     ("cells inside out", ["--set", "Mesh/File={folder}/bow_tie.geo", "--set", "Mesh/Parameters="],
      ["cells are flat or turned inside out", "film", "mm"]),
+    ("node that lies nowhere", ["--set", "Mesh/File={folder}/nan.msh", "--set", "Mesh/Parameters="],
+     ["node 5", "nan.msh", "x2 = nan"]),
+    ("node at infinity", ["--set", "Mesh/File={folder}/inf.msh", "--set", "Mesh/Parameters="],
+     ["node 5", "inf.msh", "x2 = inf"]),
+    ("region without cells", ["--set", "Mesh/File={folder}/unmeshed.geo", "--set",
+                              "Mesh/Parameters="],
+     ["'film'", "unmeshed.geo", "no cells", "three dimensions"]),
     ("surface without cells", ["--set", "Mesh/File={folder}/stray.geo", "--set",
                                "Mesh/Parameters="], ["'stray'", "no cell"]),
     ("electrode of both kinds", ["--set", "Electrodes/Floating=top: 1"],
@@ -423,6 +455,10 @@ def main():
         (Path(folder) / "two_films.geo").write_text(TWO_FILMS)
         (Path(folder) / "bow_tie.geo").write_text(BOW_TIE)
         (Path(folder) / "stray.geo").write_text(STRAY)
+        for number in ("nan", "inf"):
+            (Path(folder) / f"{number}.msh").write_text(LOST_NODE.format(number))
+        (Path(folder) / "unmeshed.geo").write_text(
+            BOX.format(1, 0) + 'Physical Volume("film") = b1[1];\nMesh 2;\n')
         (Path(folder) / "exit.geo").write_text("Exit;\n")
         (Path(folder) / "flat.geo").write_text(FLAT.format("0, 1, 0"))
         (Path(folder) / "plane.geo").write_text(FLAT.format("0, 0, 1"))

@@ -57,6 +57,23 @@ def check_wall_amplitude(program, folder):
     check_value("wall", case.curve("theta_max_K")["theta_max_K"][-1], 323.0, 1e-9)
 
 
+def check_no_conduction(program, folder):
+    """With k = 0 every point keeps what its source gives, R t/c, and a wall that jumps to 353 K stays
+    alone; with expansion the body moves."""
+    for formulation, degree in (("enhanced strain", 1), ("mean dilatation", 2)):
+        for coupling in ("staggered", "monolithic"):
+            case = run(program, folder, SLAB, [
+                "Materials/elastomer/Conductivity=0", "Heat/Source=film: 0.64", "Time/End=1",
+                "Materials/elastomer/Thermal expansion=1.8e-4", "Time/Initial step=0.25",
+                "Time/Tolerance=0", "Mesh/Parameters=L1: 0.1, L2: 0.1, L3: 0.5, n1: 1, n2: 1, n3: 4",
+                f"Discretisation/Formulation={formulation}", f"Discretisation/Degree={degree}",
+                f"Time/Coupling={coupling}"])
+            curve = case.curve("probe_theta_K", "theta_max_K")
+            what = f"no conduction, {formulation}, {coupling}"
+            check_value(what, curve["probe_theta_K"][-1], 293 + 0.64 / 1.92, 1e-8)
+            check_value(f"{what}, wall", curve["theta_max_K"][-1], 353, 1e-9)
+
+
 def check_pull_in(program, folder):
     """A voltage that rises in time past the limit of the film, e = 0.68737, ends the run with exit
     code 3 and keeps the curve up to there."""
@@ -80,6 +97,7 @@ def main():
             check_steady(program, folder, ranks)
         check_transient(program, folder)
         check_wall_amplitude(program, folder)
+        check_no_conduction(program, folder)
         check_pull_in(program, folder)
 
 

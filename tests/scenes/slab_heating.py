@@ -8,17 +8,7 @@ import tempfile
 from pathlib import Path
 
 from scene import program_and_ranks, require, validated
-
-START, WALL = 293.0, 353.0  # K
-THICKNESS, CAPACITY, CONDUCTIVITY = 1.0, 1.92, 0.16
-DIFFUSION_TIME = THICKNESS**2 * CAPACITY / (math.pi**2 * CONDUCTIVITY)  # 1.216 s
-
-
-def exact(time):
-    """Temperature in the middle (doc/theory.md, eq. 36)."""
-    series = sum((-1)**k / (2 * k + 1) * math.exp(-(2 * k + 1)**2 * time / DIFFUSION_TIME)
-                 for k in range(2000))
-    return WALL - (WALL - START) * 4 / math.pi * series
+from slab_exact import DIFFUSION_TIME, START, WALL, mid_temperature
 
 
 def run(program, folder, entries, ranks=1):
@@ -35,7 +25,7 @@ def check_order(program, folder, scheme, order):
     for n in (20, 40, 80):
         curve = run(program, folder, [
             "Discretisation/Degree=2", f"Time/Scheme={scheme}", f"Time/Initial step={1.2 / n}"])
-        errors.append(abs(curve["probe_theta_K"][-1] - exact(1.2)))
+        errors.append(abs(curve["probe_theta_K"][-1] - mid_temperature(1.2)))
     orders = [math.log2(a / b) for a, b in zip(errors, errors[1:])]
     print(f"{scheme}: errors at 1.2 s in K {' '.join(f'{e:.2e}' for e in errors)} with steps of 1/20, "
           f"1/40, 1/80, orders {' '.join(f'{o:.2f}' for o in orders)}")
@@ -52,7 +42,7 @@ def check_adaptive_steps(program, folder):
         case = program.run("verification/slab_heating", folder, "--set", "Discretisation/Degree=2",
                            "--set", f"Time/Tolerance={tolerance}")
         curve = case.curve("time_s", "probe_theta_K")
-        errors.append(max(abs(theta - exact(t)) for t, theta in
+        errors.append(max(abs(theta - mid_temperature(t)) for t, theta in
                           zip(curve["time_s"], curve["probe_theta_K"]) if t > 0))
         print(f"adapted steps, {tolerance} K per step: {len(curve['time_s'])} steps, largest error "
               f"{errors[-1]:.3f} K")
@@ -67,7 +57,7 @@ def check_first_step(program, folder):
         case = program.run("verification/slab_heating", folder, "--set",
                            f"Time/Initial step={initial}")
         curve = case.curve("time_s", "probe_theta_K")
-        error = max(abs(theta - exact(t)) for t, theta in
+        error = max(abs(theta - mid_temperature(t)) for t, theta in
                     zip(curve["time_s"], curve["probe_theta_K"]) if t > 0)
         first.append(curve["time_s"][1])
         print(f"first step to try {initial:g} s: taken {first[-1]:.1e} s, {len(curve['time_s'])} "

@@ -69,6 +69,19 @@ def check_conduction_follows_deformation(program, folder, row):
     require(abs(found - neglected) > 0.3, "the deformation does not show in the temperature")
 
 
+def check_stretch(program, folder, row):
+    """The mean of x_1 over an arc is 2/pi times its radius."""
+    case = program.run(
+        "verification/thermo_electric_tube", folder,
+        "--set", "Mesh/Parameters=n1: 4, n3: 6", "--set", "Expectations/Final values=",
+        "--set", "Output/Observables=lambda_1", "--set", "Observables/lambda_1/From=inner",
+        "--set", "Observables/lambda_1/To=outer", "--set", "Output/Fields=none")
+    wanted = float(row["r_outer_mm"]) - float(row["r_inner_mm"])
+    error = case.curve("lambda_1")["lambda_1"][-1] - wanted
+    print(f"mean stretch of the wall: {error:.1e} off")
+    require(abs(error) < 1e-6, f"the mean stretch of the wall is off by {error}")
+
+
 def main():
     program, all_ranks = program_and_ranks(__doc__)
     with open(program.source / "tests/reference/tube.csv", newline="", encoding="utf8") as file:
@@ -78,6 +91,7 @@ def main():
         check_rows(program, folder, rows)
         check_orders(program, folder, rows[2])
         check_conduction_follows_deformation(program, folder, rows[2])
+        check_stretch(program, folder, rows[2])
         one, several = (run(program, folder, rows[2], 8, ranks) for ranks in
                         (min(all_ranks), max(all_ranks)))
         difference = max(abs(a - b) for a, b in zip(one, several))

@@ -33,15 +33,23 @@ public:
 };
 
 /// A file cannot be written, for one because the disk is full; nothing is wrong with the scene.
-class WriteError : public InputError
+class WriteError : public std::runtime_error
 {
 public:
-  using InputError::InputError;
+  using std::runtime_error::runtime_error;
 };
 
 /// What to say of std::bad_alloc.
 constexpr char out_of_memory[] =
     "out of memory; choose a coarser mesh in the section Mesh, or a machine with more";
+
+/// A factorisation does not fit into memory, which no shorter step changes. Thrown by every rank of
+/// a run alike.
+class OutOfMemory : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
 
 /// @p value as a sentence has it, with at most six digits: `293`, `-0.5`, `1e-09`.
 std::string as_text(double value);
@@ -55,8 +63,8 @@ std::string closest(const std::string& word, const std::vector<std::string>& kno
 /// `; did you mean 'b'? Known: a, b, c`, the end of a sentence about an unknown @p word.
 std::string known_ones(const std::string& word, const std::vector<std::string>& known);
 
-/// Run @p action on rank 0 of @p comm alone and let every rank throw the InputError it may have
-/// thrown.
+/// Run @p action on rank 0 of @p comm alone and let every rank throw the InputError or WriteError
+/// it may have thrown.
 template <typename Action>
 void on_rank_0(const MPI_Comm comm, Action action)
 {
@@ -67,7 +75,9 @@ void on_rank_0(const MPI_Comm comm, Action action)
       action();
     } catch (const InputError& error) {
       complaint = error.what();
-      is_about_writing = dynamic_cast<const WriteError*>(&error) != nullptr;
+    } catch (const WriteError& error) {
+      complaint = error.what();
+      is_about_writing = true;
     }
   }
   complaint = dealii::Utilities::MPI::broadcast(comm, complaint);

@@ -51,10 +51,10 @@ private:
 void add_quantity(dealii::ParameterHandler& prm, const std::string& entry, double& value,
                   const std::string& sentence, const Quantity& quantity);
 
-/// A list of them, `1, 2`.
+/// A list of at least @p least and at most @p most of them, `1, 2`.
 void add_quantity(dealii::ParameterHandler& prm, const std::string& entry,
                   std::vector<double>& values, const std::string& sentence,
-                  const Quantity& quantity);
+                  const Quantity& quantity, unsigned int least = 1, unsigned int most = 10);
 
 /// One for each name, `a: 1, b: 2`.
 void add_quantity(dealii::ParameterHandler& prm, const std::string& entry,

@@ -4,7 +4,7 @@ namespace thelma
 {
 
 /// C_ab = sum_k A_ka B_kb, or += with @p add: the hot loop of every tangent. Rows are of length
-/// stride, which is 4, 8, 12 or 28; B and C are dense.
+/// stride, fast ones of 4, 8, 12 or 28; B and C are dense.
 struct Product {
   unsigned int n_k, stride;
   const double* const* A; ///< the rows, of any place

@@ -15,6 +15,9 @@ namespace thelma
 class TangentBlocks
 {
 public:
+  /// Displacement in space, potential and temperature.
+  static constexpr unsigned int most_components = 5;
+
   /// Begin a cell; of a @p symmetric tangent only the blocks c <= d are given.
   void reset(unsigned int n_nodes, unsigned int n_components, bool symmetric);
 
@@ -43,7 +46,7 @@ private:
 
   unsigned int n_nodes = 0, stride = 0, n_components = 0;
   bool symmetric = true;
-  std::array<bool, 25> filled{}; ///< blocks, [c * n_components + d]
+  std::array<bool, most_components * most_components> filled{}; ///< blocks, [c * n_components + d]
   dealii::AlignedVector<double> values;
 };
 

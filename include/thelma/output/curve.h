@@ -16,10 +16,12 @@ public:
   void add(const std::vector<double>& values);
 
   /// Mark the newest row.
-  void set_event(const std::string& event) { rows.back().event = event; }
+  void set_event(const std::string& event);
 
-  /// Write all rows; the file appears whole or not at all.
-  void write(const std::string& file) const;
+  /// Bring @p file, always the same one, up to date: rows that it lacks are added, each whole or
+  /// not at all. If that is not enough all are written, and the file appears whole or not at all.
+  /// Throws WriteError if there is no room.
+  void write(const std::string& file);
 
   bool empty() const { return rows.empty(); }
   std::size_t n_rows() const { return rows.size(); }
@@ -45,12 +47,18 @@ private:
       archive& values& event;
     }
   };
+  std::string text_of(std::size_t first) const;
+
   std::vector<std::string> columns;
   std::vector<Row> rows;
+  std::size_t n_written = 0; ///< rows as they stand in the file
 };
 
 /// Throws InputError if the folder cannot be created or written into.
 void create_folder(const std::string& folder);
+
+/// Add @p text to the end of @p file, whole or not at all. Whether that could be done.
+bool append_to_file(const std::string& file, const std::string& text);
 
 /// Write @p content to @p file through a temporary file, so that a reader never sees half of it.
 /// Throws WriteError if there is no room.

@@ -29,7 +29,7 @@ struct Bracket {
 
 /// How a run ended and what it cost.
 struct Outcome {
-  static constexpr const char* target_reached = "target reached";
+  static constexpr const char *target_reached = "target reached", *out_of_memory = "out of memory";
 
   ExitCode code = ExitCode::success;
   std::string name = target_reached; ///< or `pull-in`, `instability`, `no convergence`, ...

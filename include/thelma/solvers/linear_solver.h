@@ -13,7 +13,7 @@ namespace thelma
 {
 
 /// Outcome of one linear solve.
-struct LinearReport {
+struct [[nodiscard]] LinearReport {
   bool solved;
   std::string reason;            ///< why not
   bool factorised = false;       ///< a new tangent

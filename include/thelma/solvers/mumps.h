@@ -13,7 +13,8 @@ namespace thelma
 {
 
 /// Sparse direct solver. MUMPS is called through its own C interface because Amesos always
-/// factorises unsymmetrically, at twice the time and memory and without the inertia.
+/// factorises unsymmetrically, at twice the time and memory and without the inertia. What does not
+/// fit into memory is thrown as OutOfMemory.
 class Mumps
 {
 public:

@@ -22,7 +22,7 @@ class TimeStepper
 public:
   void declare(dealii::ParameterHandler& prm);
 
-  /// Begin at time 0; the steps meet each of the times @p kinks.
+  /// Begin at time 0; the steps meet each of the times @p kinks, and those that the scene names.
   void start(const std::vector<double>& kinks);
 
   /// Order of the differences: 1 (backward Euler) or 2.
@@ -59,6 +59,7 @@ public:
 private:
   double end = 1., initial = 0.01, largest = 1e300, tolerance = 0.1;
   std::string scheme = "BDF2";
+  std::vector<double> wanted_stops;
 
   double time = 0., trial = 0., size = 0.;
   std::vector<double> stops;
