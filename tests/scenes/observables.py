@@ -25,6 +25,8 @@ SPACE = [*COMMON, "--set", f"Output/Observables=lambda_3, {OBSERVABLES}",
          "--set", "Supports/Fixed=x1_min: u1, x1_max: u1, x2_min: u2, bottom: u3",
          "--set", "Observables/reaction/At=x1_max", "--set", "Loading/Target=0.5",
          "--set", "Loading/Expected end=target", "--set", "Expectations/Final values="]
+# Four sides held, each of which shares edges with two others.
+HELD = [*SPACE, "--set", "Supports/Fixed=x1_min: u1, x1_max: u1, x2_min: u2, x2_max: u2, bottom: u3"]
 PLANE = [*COMMON, "--set", f"Output/Observables=tip, mid_rotation, end_rotation, {OBSERVABLES}",
          "--set", "Regions/Passive=", "--set", "Loading/Target=0.5",
          "--set", "Electrodes/Potential=interface: 0, outer: 1, back: 1",
@@ -81,6 +83,9 @@ def main():
         for ranks in all_ranks:
             case = program.run("planar_actuator", Path(folder), *SPACE, ranks=ranks)
             check(f"space, {ranks} ranks", case, [1, 2], thickness=1.0, area=5.0,
+                  force="reaction_f1_N")
+            case = program.run("planar_actuator", Path(folder), *HELD, ranks=ranks)
+            check(f"space, all sides held, {ranks} ranks", case, [2], thickness=1.0, area=5.0,
                   force="reaction_f1_N")
             case = program.run("bending_actuator_plane", Path(folder), *PLANE, ranks=ranks)
             check(f"plane, {ranks} ranks", case, [2], thickness=0.5, area=1.0,
