@@ -11,11 +11,26 @@ from pathlib import Path
 from scipy.optimize import fsolve, minimize_scalar
 
 from scene import program_and_ranks, require, settings, validated
-from stages_meshes import TWO_PARTS
 import planar_exact
 
 STRESS = 0.4 / 5.0  # MPa, of the film's weight on its face
 BRACKET = 1e-4  # the default
+
+# A film whose upper electrode has two parts.
+TWO_PARTS = """Point(1) = {0, 0, 0};
+l1[] = Extrude {2.5, 0, 0} { Point{1}; Layers{1}; };
+l2[] = Extrude {2.5, 0, 0} { Point{l1[0]}; Layers{1}; };
+a1[] = Extrude {0, 5, 0} { Line{l1[1]}; Layers{1}; Recombine; };
+a2[] = Extrude {0, 5, 0} { Line{l2[1]}; Layers{1}; Recombine; };
+b1[] = Extrude {0, 0, 1} { Surface{a1[1]}; Layers{1}; Recombine; };
+b2[] = Extrude {0, 0, 1} { Surface{a2[1]}; Layers{1}; Recombine; };
+Physical Volume("film") = {b1[1], b2[1]};
+Physical Surface("bottom") = {a1[1], a2[1]};
+Physical Surface("left") = b1[0];
+Physical Surface("right") = b2[0];
+Physical Surface("x2_min") = {b1[2], b2[2]};
+Physical Surface("x1_min") = b1[5];
+"""
 
 
 def weighted(lambda_3, material):

@@ -193,7 +193,7 @@ private:
   std::vector<double> eliminations;      ///< of all own cells, of the tangent last assembled
   std::function<void(double)> prescription;
   double load_factor = 0.;
-  double load_level = 1.; ///< of the loads
+  double load_level = 0.; ///< of the loads
 };
 
 template <int dim>
