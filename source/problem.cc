@@ -127,7 +127,7 @@ bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
 {
   resumes = false;
   while (!steps.finished() && !steps.exhausted()) {
-    if (stops())
+    if (steps.accepted() > 0. && stops()) // a checkpoint stands at a row of the curve
       return false;
     const double load = steps.next();
     {

@@ -32,6 +32,8 @@ void Problem<dim>::setup()
   if (layout.is_transient())
     for (const std::string& line : transient.summary())
       outcome.modelled.push_back(line);
+  for (const std::string& sentence : results.remarks())
+    outcome.modelled.push_back(sentence);
   for (const std::string& sentence : idle_entries())
     outcome.modelled.push_back(sentence);
   outcome.cells = mesh.n_cells();

@@ -191,15 +191,13 @@ void Problem<dim>::leave_rest(const std::function<void(double)>& prescribe)
     state.restore();
 }
 
-/// The voltage of the curve is that of what carries the applied or the kept charge.
+/// Where nothing is driven, the voltage of the curve is that of what carries a charge.
 template <int dim>
 void Problem<dim>::show_floating_voltage()
 {
-  for (const Electrode& electrode : conditions.electrodes())
-    if (electrode.floats && (electrode.charge_multiple != 0. || electrode.kept_charge != 0.)) {
-      state.voltage = potential(electrode, layout, state.x);
-      return;
-    }
+  const std::vector<const Electrode*> live = conditions.live_electrodes();
+  if (!live.empty() && live.front()->floats)
+    state.voltage = potential(*live.front(), layout, state.x) / live.front()->voltage_multiple;
 }
 
 #define INSTANTIATE(dim)                                                                           \

@@ -164,11 +164,11 @@ void FollowerPressure<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>&
 
 /// Eq. (49).
 template <int dim>
-void FollowerPressure<dim>::add_forces(const double scale, const BlockVector& x,
-                                       BlockVector& nodal) const
+void FollowerPressure<dim>::add_full_forces(const double scale, const BlockVector& x,
+                                            BlockVector& nodal) const
 {
   for (const Loaded& loaded : surfaces) {
-    const double pressure = scale * factor * loaded.pressure;
+    const double pressure = scale * loaded.pressure;
     loaded.surface.visit(*layout, x, [&](const auto& face, const auto& points) {
       for (const auto& point : points)
         for (std::size_t a = 0; a < face.nodes.size(); ++a)

@@ -161,7 +161,7 @@ ResidualReport System<dim>::residual()
   raw_residual.compress(dealii::VectorOperation::add);
   if (solved != Solved::deformation)
     heat.add_residual(state, raw_residual);
-  raw_residual -= loads;
+  raw_residual.add(-load_level, loads);
   clear_given(raw_residual);
 
   ResidualReport report{0., dealii::Utilities::MPI::min(min_det_F, layout.communicator())};
@@ -183,7 +183,7 @@ BlockVector System<dim>::loads_at(const BlockVector& x) const
   if (pressure)
     pressure->add_forces(1., x, result);
   result.compress(dealii::VectorOperation::add);
-  result += loads;
+  result.add(load_level, loads);
   return result;
 }
 

@@ -8,6 +8,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+
 namespace thelma
 {
 namespace
@@ -136,6 +138,21 @@ void BoundaryConditions<dim>::fix_moved_supports(const Mesh<dim>& mesh,
 }
 
 template <int dim>
+std::vector<std::string> BoundaryConditions<dim>::holding(const unsigned int component) const
+{
+  std::vector<std::string> names;
+  for (const auto& [name, text] : supports) {
+    const std::vector<unsigned int> held = components_named<dim>(text);
+    if (std::find(held.begin(), held.end(), component) != held.end())
+      names.push_back(name);
+  }
+  for (const auto& [name, text] : moved_supports)
+    if (parse_move<dim>(text).first == component)
+      names.push_back(name);
+  return names;
+}
+
+template <int dim>
 void BoundaryConditions<dim>::collect_driven()
 {
   driven_dofs.clear();
@@ -181,7 +198,7 @@ void BoundaryConditions<dim>::apply(const double voltage, const double theta_sta
       x(dof) = value;
   for (const auto& [dof, way] : moved_dofs)
     if (owned.is_element(dof))
-      x(dof) = motion * way;
+      x(dof) = way_part * way;
   for (const auto& [dof, factor] : driven_dofs)
     if (owned.is_element(dof))
       x(dof) = factor * voltage;

@@ -117,6 +117,33 @@ const Electrode& Electrodes<dim>::named(const std::string& name, const std::stri
 }
 
 template <int dim>
+std::vector<const Electrode*> Electrodes<dim>::live() const
+{
+  using Belongs = bool (*)(const Electrode&);
+  const Belongs driven_up = [](const Electrode&e) { return !e.floats && e.voltage_multiple > 0.; },
+                driven_down =
+                    [](const Electrode&e) { return !e.floats && e.voltage_multiple < 0.; },
+                charged_up =
+                    [](const Electrode&e) {
+                      return e.charge_multiple > 0. ||
+                             (e.kept_charge != 0. && e.voltage_multiple > 0.);
+                    },
+                charged = [](const Electrode&e) {
+                  return (e.charge_multiple != 0. || e.kept_charge != 0.) &&
+                         e.voltage_multiple != 0.;
+                };
+  std::vector<const Electrode*> found;
+  for (const Belongs belongs : {driven_up, driven_down, charged_up, charged}) {
+    for (const Electrode& electrode : list)
+      if (belongs(electrode))
+        found.push_back(&electrode);
+    if (!found.empty())
+      break;
+  }
+  return found;
+}
+
+template <int dim>
 void Electrodes<dim>::disconnect(const std::string& name, const double charge)
 {
   Electrode& electrode = find(name);

@@ -2,15 +2,16 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cmath>
+
 namespace thelma
 {
 namespace
 {
 
-/// Charge q that the voltage V has moved onto the electrodes, such that V dq is their work: each
-/// electrode's charge counts by its part of the voltage, which a floating one has found itself.
-/// From the reactions of the potential (exact for the discrete energy); capacitance q/V. In plane
-/// strain per mm.
+/// Charge on the live electrodes (Electrodes::live), that on negative ones with the other sign,
+/// from the reactions of the potential (exact for the discrete energy); capacitance: that over the
+/// voltage of the curve. In plane strain per mm.
 template <int dim>
 class Charge final : public Observable<dim>
 {
@@ -21,12 +22,9 @@ public:
   {
     const double voltage = scene.state.voltage;
     double charge = 0.;
-    for (const Electrode& electrode : scene.conditions.electrodes()) {
-      double part = electrode.voltage_multiple;
-      if (electrode.floats)
-        part = voltage != 0. ? potential(electrode, scene.layout, scene.state.x) / voltage : 0.;
-      charge -= part * electrode.own_sum(scene.system.reactions());
-    }
+    for (const Electrode* electrode : scene.conditions.live_electrodes())
+      charge -= std::copysign(1., electrode->voltage_multiple) *
+                electrode->own_sum(scene.system.reactions());
     charge = dealii::Utilities::MPI::sum(charge, scene.layout.communicator());
     return {charge, voltage != 0. ? charge / voltage : 0.};
   }

@@ -1,3 +1,4 @@
+#include <thelma/base/error.h>
 #include <thelma/elements/cell_points.h>
 #include <thelma/output/observables.h>
 
@@ -5,20 +6,26 @@
 
 #include <cstring>
 #include <optional>
+#include <utility>
 
 namespace thelma
 {
 namespace
 {
 
-/// The first and the second law since time 0 (theory.md, eqs. 37, 38): what is stored, what came in
-/// through electrodes, dead loads and walls, what conduction made of entropy, and what is missing.
+/// The first and the second law (theory.md, eqs. 37, 38, 70): what is stored, what came in through
+/// electrodes, loads, supports and walls, what conduction made of entropy, and what is missing. In
+/// time since time 0, otherwise since the first row of the curve, with the heat that a bath gives.
 template <int dim>
 class Ledger final : public Observable<dim>
 {
 public:
   void setup(const Scene<dim>& scene) override
   {
+    if (scene.layout.has(Field::temperature) && !scene.layout.is_transient())
+      throw InputError(
+          "section Output, entry 'Observables': the ledger has no end where heat flows "
+          "for ever; leave it out, or set Temperature/Model = uniform or transient");
     rule.emplace(scene.layout, scene.layout.degree() + 1);
     theta_0 = scene.materials.reference_temperature();
   }
@@ -30,6 +37,7 @@ public:
             "ledger_thermal_mJ",
             "ledger_electrode_work_mJ",
             "ledger_load_work_mJ",
+            "ledger_support_work_mJ",
             "ledger_heat_mJ",
             "ledger_energy_missing_mJ",
             "ledger_entropy_mJ_per_K",
@@ -40,62 +48,78 @@ public:
 
   std::vector<double> evaluate(const Scene<dim>& scene) override
   {
-    auto& [start, past, work, loads, heat, entropy, produced] = sums;
     const Stock now = stock(scene);
-    if (!scene.state.rates) // time has not begun
-      sums = {now, now, 0., 0., 0., 0., 0.};
+    if (!begun || (scene.layout.is_transient() && !scene.state.rates)) { // time has not begun
+      begun = true;
+      sums = {now.numbers, now.numbers, 0., 0., 0., 0., 0., 0.};
+      electrodes = now.electrodes;
+    } else
+      add_work(scene, now);
+    if (scene.state.rates)
+      add_heat(now.numbers);
     else
-      loads += load_work(scene);
-    const double dt = scene.state.time - past.time;
-    // What jumps at time 0 has no rate before the first step.
-    const double before = past.time > 0. ? 0.5 : 0., after = 1. - before;
-    work += 0.5 * (past.voltage + now.voltage) * (now.charge - past.charge);
-    heat += now.walls.thermal - past.walls.thermal +
-            dt * (before * past.inflow.heat + after * now.inflow.heat);
-    entropy += now.walls.entropy - past.walls.entropy +
-               dt * (before * past.inflow.entropy + after * now.inflow.entropy);
-    produced += dt * (before * past.production + after * now.production);
-    past = now;
-    const Energies& e = now.stored;
-    const double change = e.elastic + e.electric + e.thermal -
-                          (start.stored.elastic + start.stored.electric + start.stored.thermal);
-    return {e.elastic,
-            e.electric,
-            e.thermal,
-            work,
-            loads,
-            heat,
-            change - work - loads - heat,
-            e.entropy,
-            entropy,
-            produced,
-            e.entropy - start.stored.entropy - entropy - produced};
+      add_heat_of_bath(now.numbers);
+    sums.past = now.numbers;
+    electrodes = now.electrodes;
+    before = scene.state.x;
+    return values(now.numbers.stored);
   }
 
   std::vector<double> memory() const override
   {
     std::vector<double> numbers(sizeof(Sums) / sizeof(double));
     std::memcpy(numbers.data(), &sums, sizeof(Sums));
+    numbers.push_back(begun);
+    for (const auto& [voltage, charge] : electrodes)
+      numbers.insert(numbers.end(), {voltage, charge});
     return numbers;
   }
 
   void remember(const std::vector<double>& numbers) override
   {
     std::memcpy(&sums, numbers.data(), sizeof(Sums));
+    std::size_t k = sizeof(Sums) / sizeof(double);
+    begun = numbers[k++] != 0.;
+    for (electrodes.clear(); k < numbers.size(); k += 2)
+      electrodes.emplace_back(numbers[k], numbers[k + 1]);
+    before.reset();
   }
 
 private:
-  struct Stock {
+  struct Numbers {
     Energies stored, walls; ///< of the body, of the nodes of its walls
     HeatInflow inflow;
-    double time, voltage, charge, production; ///< s, kV, uC, mW/K
+    double time, theta, production; ///< s, K, mW/K
+    double dead_load, pressure;     ///< levels
+    double motion, support_force;   ///< level, N times mm
+  };
+
+  /// Potential in kV and charge in uC of every electrode.
+  using Electrodes = std::vector<std::pair<double, double>>;
+
+  struct Stock {
+    Numbers numbers;
+    Electrodes electrodes;
   };
 
   /// What has come together since the start.
   struct Sums {
-    Stock start, past;
-    double work, loads, heat, entropy, produced;
+    Numbers start, past;
+    double electric, loads, supports, heat, entropy, produced;
   };
+
+  std::vector<double> values(const Energies& e) const
+  {
+    const Energies& start = sums.start.stored;
+    const double change =
+        e.elastic + e.electric + e.thermal - (start.elastic + start.electric + start.thermal);
+    return {e.elastic,     e.electric,
+            e.thermal,     sums.electric,
+            sums.loads,    sums.supports,
+            sums.heat,     change - sums.electric - sums.loads - sums.supports - sums.heat,
+            e.entropy,     sums.entropy,
+            sums.produced, e.entropy - start.entropy - sums.entropy - sums.produced};
+  }
 
   Stock stock(const Scene<dim>& scene) const
   {
@@ -104,39 +128,86 @@ private:
       own.add(1., scene.heat.stored(scene.state, theta_0));
       walls = scene.heat.stored_in_walls(scene.state, theta_0);
     }
-    const std::vector<double> parts{own.elastic,   own.electric,  own.thermal,   own.entropy,
-                                    walls.thermal, walls.entropy, charge(scene), production(scene)};
+    const BlockVector& reactions = scene.system.reactions();
+    const auto owned = scene.layout.dof_handler().locally_owned_dofs();
+    double support_force = 0.;
+    for (const auto& [unknown, way] : scene.conditions.moved())
+      if (owned.is_element(unknown))
+        support_force += way * reactions(unknown);
+    std::vector<double> parts{own.elastic,   own.electric,  own.thermal,       own.entropy,
+                              walls.thermal, walls.entropy, production(scene), support_force};
+    for (const Electrode& electrode : scene.conditions.electrodes())
+      parts.push_back(-electrode.own_sum(reactions));
     std::vector<double> total(parts.size());
     dealii::Utilities::MPI::sum(parts, scene.layout.communicator(), total);
-    return {{total[0], total[1], total[2], total[3]},
-            {0., 0., total[4], total[5]},
-            scene.state.inflow,
-            scene.state.time,
-            scene.state.voltage,
-            total[6],
-            total[7]};
+    const auto* pressure = scene.system.acting_pressure();
+    Stock now{{{total[0], total[1], total[2], total[3]},
+               {0., 0., total[4], total[5]},
+               scene.state.inflow,
+               scene.state.time,
+               scene.state.theta,
+               total[6],
+               scene.system.dead_load_level(),
+               pressure ? pressure->level() : 0.,
+               scene.conditions.motion(),
+               total[7]},
+              {}};
+    std::size_t k = 8;
+    for (const Electrode& electrode : scene.conditions.electrodes())
+      now.electrodes.emplace_back(potential(electrode, scene.layout, scene.state.x), total[k++]);
+    return now;
   }
 
-  /// What dead loads and pressures have done since the last accepted state, in mJ.
-  static double load_work(const Scene<dim>& scene)
+  /// By the trapezoidal rule, as all that follows.
+  void add_work(const Scene<dim>& scene, const Stock& now)
   {
+    const Numbers &past = sums.past, &next = now.numbers;
+    for (std::size_t e = 0; e < electrodes.size(); ++e)
+      sums.electric += 0.5 * (electrodes[e].first + now.electrodes[e].first) *
+                       (now.electrodes[e].second - electrodes[e].second);
+    sums.supports += 0.5 * (past.support_force + next.support_force) * (next.motion - past.motion);
     const auto& path = scene.state.path();
-    const BlockVector& before = path[path.size() - 2].x;
-    BlockVector way = scene.state.x, forces = scene.system.loads_at(scene.state.x);
+    if (!before && path.size() > 1) // the last row before a checkpoint
+      before = path[path.size() - 2].x;
+    if (!before)
+      return;
+    BlockVector way = scene.state.x;
     way.zero_out_ghost_values();
-    way -= before;
-    forces += scene.system.loads_at(before);
-    return 0.5 * (forces * way);
+    way -= *before;
+    sums.loads += 0.5 * (past.dead_load + next.dead_load) * (scene.system.dead_loads() * way) +
+                  0.5 * (past.pressure * (pressure_forces(scene, *before) * way) +
+                         next.pressure * (pressure_forces(scene, scene.state.x) * way));
   }
 
-  static double charge(const Scene<dim>& scene)
+  /// At level 1.
+  static BlockVector pressure_forces(const Scene<dim>& scene, const BlockVector& x)
   {
-    const auto owned = scene.layout.dof_handler().locally_owned_dofs();
-    double sum = 0.;
-    for (const auto& [dof, factor] : scene.conditions.driven())
-      if (owned.is_element(dof))
-        sum -= factor * scene.system.reactions()(dof);
-    return sum;
+    BlockVector forces = scene.layout.new_vector();
+    if (scene.system.acting_pressure())
+      scene.system.acting_pressure()->add_full_forces(1., x, forces);
+    forces.compress(dealii::VectorOperation::add);
+    return forces;
+  }
+
+  void add_heat(const Numbers& now)
+  {
+    const Numbers& past = sums.past;
+    const double dt = now.time - past.time;
+    // What jumps at time 0 has no rate before the first step.
+    const double early = past.time > 0. ? 0.5 : 0., late = 1. - early;
+    sums.heat += now.walls.thermal - past.walls.thermal +
+                 dt * (early * past.inflow.heat + late * now.inflow.heat);
+    sums.entropy += now.walls.entropy - past.walls.entropy +
+                    dt * (early * past.inflow.entropy + late * now.inflow.entropy);
+    sums.produced += dt * (early * past.production + late * now.production);
+  }
+
+  /// A body whose temperature is prescribed takes theta d(eta), and produces nothing.
+  void add_heat_of_bath(const Numbers& now)
+  {
+    const double inflow = now.stored.entropy - sums.past.stored.entropy;
+    sums.heat += 0.5 * (sums.past.theta + now.theta) * inflow;
+    sums.entropy += inflow;
   }
 
   /// -Q . Grad theta / theta^2 over the own cells.
@@ -158,7 +229,10 @@ private:
 
   std::optional<Integration<dim>> rule;
   double theta_0 = 293.;
+  bool begun = false;
   Sums sums{};
+  Electrodes electrodes;             ///< at the last row
+  std::optional<BlockVector> before; ///< nodal values there; not known after a checkpoint
 };
 
 } // namespace

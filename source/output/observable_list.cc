@@ -10,7 +10,8 @@ const NamedList<Observable<dim>>& observables()
 {
   static const NamedList<Observable<dim>> list = []() {
     std::vector<typename NamedList<Observable<dim>>::Entry> entries{
-        {{"charge", "that the voltage has moved, and the capacitance"}, make_charge<dim>},
+        {{"charge", "on the driven electrodes of positive potential, and the capacitance"},
+         make_charge<dim>},
         {{"electrodes", "potential, charge and capacitance of each"}, make_electrodes<dim>},
         {{"energy", "stored, elastic and electric"}, make_energy<dim>},
         {{"reaction", "force of the supports of a surface, line or point"}, make_reaction<dim>},

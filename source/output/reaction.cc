@@ -2,13 +2,19 @@
 #include <thelma/fields/named_dofs.h>
 #include <thelma/output/observables.h>
 
+#include <algorithm>
+#include <array>
+#include <set>
+
 namespace thelma
 {
 namespace
 {
 
-/// Force with which the supports of a named surface, line or point hold the body: the reactions of
-/// its nodes (exact for the discrete energy). Zero where nothing is held. In plane strain per mm.
+/// Force with which a named surface, line or point holds the body: the reactions of its nodes
+/// (exact for the discrete energy) in the components that it holds itself. What others hold at
+/// nodes that they share is theirs, in the same component it is both's. Where the name is no
+/// support, the force of all supports on its nodes. In plane strain per mm.
 template <int dim>
 class Reaction final : public Observable<dim>
 {
@@ -17,16 +23,29 @@ public:
   {
     prm.add_parameter(
         "At", group,
-        "Surface, line or point whose supports' force on the body is wanted, in N (in "
-        "plane strain N per mm of depth).");
+        "Support whose force on the body is wanted, in N (in plane strain N per mm of depth), in "
+        "the directions that it holds; of a surface, line or point that is no support the force "
+        "of all supports on its nodes.");
   }
 
   void setup(const Scene<dim>& scene) override
   {
+    std::array<std::vector<std::string>, dim> holding;
+    bool is_support = false;
+    for (unsigned int c = 0; c < dim; ++c) {
+      holding[c] = scene.conditions.holding(c);
+      is_support = is_support || contains(holding[c], group);
+    }
     for (unsigned int c = 0; c < dim; ++c)
-      dofs[c] =
-          dofs_on(scene.mesh, scene.layout, group, "section Observables/reaction, entry 'At'", c);
+      if (const auto found = dofs_at(scene, group, c); !is_support)
+        dofs[c] = found;
+      else if (contains(holding[c], group)) {
+        dofs[c] = found;
+        note_shared(scene, c, holding[c]);
+      }
   }
+
+  std::vector<std::string> remarks() const override { return shared; }
 
   std::vector<std::string> columns() const override
   {
@@ -45,8 +64,37 @@ public:
   }
 
 private:
+  using Dofs = std::set<dealii::types::global_dof_index>;
+
+  static bool contains(const std::vector<std::string>& names, const std::string& name)
+  {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  }
+
+  static Dofs dofs_at(const Scene<dim>& scene, const std::string& name, const unsigned int c)
+  {
+    return dofs_on(scene.mesh, scene.layout, name, "section Observables/reaction, entry 'At'", c);
+  }
+
+  /// A node that two supports hold in one direction does not tell which of them bears its force.
+  void note_shared(const Scene<dim>& scene, const unsigned int c,
+                   const std::vector<std::string>& holding)
+  {
+    const std::string number = std::to_string(axis<dim>(c) + 1);
+    for (const std::string& other : holding) {
+      const Dofs theirs = dofs_at(scene, other, c);
+      const bool meet = std::any_of(dofs[c].begin(), dofs[c].end(),
+                                    [&](const auto dof) { return theirs.count(dof) > 0; });
+      if (other != group && meet)
+        shared.push_back("reaction_f" + number + "_N contains what '" + other +
+                         "', too, holds in the direction u" + number +
+                         " at the nodes it shares with '" + group + "'");
+    }
+  }
+
   std::string group;
-  std::array<std::set<dealii::types::global_dof_index>, dim> dofs;
+  std::array<Dofs, dim> dofs;
+  std::vector<std::string> shared;
 };
 
 } // namespace

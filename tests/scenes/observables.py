@@ -6,11 +6,12 @@ Films that are heated, charged and held against expansion: in space in one direc
 in both.
 """
 
+import json
 import tempfile
 from pathlib import Path
 
 import numpy as np
-from scene import program_and_ranks, require, validated
+from scene import program_and_ranks, require, settings, validated
 import planar_exact as exact
 
 TOLERANCE = 1e-8  # relative
@@ -75,9 +76,30 @@ def check(name, case, free, thickness, area, force):
             require(abs(last[column]) < TOLERANCE, f"{name}: {column} is {last[column]}, not 0")
 
 
+def check_shared_edges(program, folder):
+    """A film pulled along x2: all of the force is borne by the support across it, and nothing by
+    one beside it, with which that shares an edge."""
+    for name, forces in (("x2_min", [0, -0.02, 0]), ("x1_max", [None, 0, 0])):
+        curve = program.run("planar_actuator", folder, *SPACE, *settings(
+            {"Loads/Force": "x2_max: 0 0.02 0", "Loading/Stages": "force 1",
+             "Observables/reaction/At": name})).curve(*(f"reaction_f{i}_N" for i in (1, 2, 3)))
+        for i, force in enumerate(forces, 1):
+            found = curve[f"reaction_f{i}_N"][-1]
+            require(force is None or abs(found - force) < 1e-10,
+                    f"component {i} of the reaction of {name} is {found}, not {force}")
+    summary = json.loads((Path(folder) / "run.json").read_text())["modelled"]
+    require(not any("reaction_f" in line for line in summary), "x1_max shares nothing")
+    program.run("planar_actuator", folder, *SPACE, "--set",
+                "Supports/Fixed=x1_max: u1 u3, x2_min: u2, x1_min: u1, bottom: u3")
+    summary = json.loads((Path(folder) / "run.json").read_text())["modelled"]
+    require(any("reaction_f3_N contains what 'bottom'" in line for line in summary),
+            "an edge that two supports hold is not told of")
+
+
 def main():
     program, all_ranks = program_and_ranks(__doc__)
     with tempfile.TemporaryDirectory() as folder:
+        check_shared_edges(program, folder)
         for ranks in all_ranks:
             case = program.run("planar_actuator", Path(folder), *SPACE, ranks=ranks)
             check(f"space, {ranks} ranks", case, [1, 2], thickness=1.0, area=5.0,

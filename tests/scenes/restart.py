@@ -44,7 +44,8 @@ SCENES = {
                          "Time/Structural heat=entropy", "--set", "Time/Tolerance=0.5", "--set",
                          "Time/Initial step=0.01", "--set", "Time/Scheme=BDF2", "--set",
                          "Output/Observables=temperature_range, lambda_3, ledger"],
-    "pressure": ["prm/balloon.prm", "--set", "Output/Fields=none"],
+    "pressure": ["prm/balloon.prm", "--set", "Output/Fields=none", "--set",
+                 "Output/Observables=tip, centre, enclosed_volume, ledger"],
     "pressure in time": [
         "prm/balloon.prm", "--set", "Loading/Stages=pressure 1", "--set", "Electrodes/Potential=",
         "--set", "Regions/Passive=wall", "--set", "Temperature/Model=transient", "--set",

@@ -27,10 +27,17 @@ public:
 
   /// From now on they act with this multiple of their values.
   void apply(const double multiple) { factor = multiple; }
+  double level() const { return factor; }
 
   /// Add @p scale times their nodal forces in N (in plane strain N per mm) at @p x to @p nodal,
   /// whose compress(add) comes later.
-  void add_forces(double scale, const BlockVector& x, BlockVector& nodal) const;
+  void add_forces(const double scale, const BlockVector& x, BlockVector& nodal) const
+  {
+    add_full_forces(scale * factor, x, nodal);
+  }
+
+  /// The same at level 1.
+  void add_full_forces(double scale, const BlockVector& x, BlockVector& nodal) const;
 
   void add_tangent(const BlockVector& x, TangentMatrix<dim>& tangent) const;
 

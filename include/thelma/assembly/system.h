@@ -72,16 +72,28 @@ public:
   BlockVector free_residual() const;
 
   /// Hold the body with these nodal forces, charges and heat flows (N, minus uC, mW).
-  void set_loads(const BlockVector& forces) { loads = forces; }
-  void set_loads(const double factor, const BlockVector& forces) { loads.equ(factor, forces); }
+  void set_loads(const BlockVector& forces) { set_loads(1., forces); }
+  void set_loads(const double level, const BlockVector& forces)
+  {
+    loads = forces;
+    load_level = level;
+  }
 
-  void set_loads(const System& other) { loads = other.loads; }
+  void set_loads(const System& other) { set_loads(other.load_level, other.loads); }
 
   /// From now on these pressures act, as they are applied.
   void set_pressure(const FollowerPressure<dim>& acting) { pressure = &acting; }
 
   /// What acts at the nodal values @p x: forces in N, minus charges in uC, heat flows in mW.
   BlockVector loads_at(const BlockVector& x) const;
+
+  /// The part of them that is there however the body deforms, at full size, and how much of it
+  /// acts.
+  const BlockVector& dead_loads() const { return loads; }
+  double dead_load_level() const { return load_level; }
+
+  /// The pressures, if there are any.
+  const FollowerPressure<dim>* acting_pressure() const { return pressure; }
 
   /// What enters through the walls, all of them, at the newest residual.
   HeatInflow heat_inflow() const;
@@ -183,6 +195,7 @@ private:
   std::vector<double> eliminations;      ///< of all own cells, of the tangent last assembled
   std::function<void(double)> prescription;
   double load_factor = 0.;
+  double load_level = 0.; ///< of the loads
 };
 
 template <int dim>

@@ -32,9 +32,10 @@ public:
   void apply(double voltage, double theta_start, double heating, BlockVector& x) const;
 
   /// From now on the moved supports are at the fraction @p part of their way.
-  void set_motion(const double part) { motion = part; }
+  void set_motion(const double part) { way_part = part; }
 
   const std::vector<Electrode>& electrodes() const { return plates.all(); }
+  std::vector<const Electrode*> live_electrodes() const { return plates.live(); }
   const Electrode& electrode(const std::string& name, const std::string& place) const
   {
     return plates.named(name, place);
@@ -44,10 +45,14 @@ public:
   void disconnect(const std::string& name, double charge);
   void connect(const std::string& name);
 
-  /// Potential unknowns of the driven electrodes with their multiple of the voltage.
-  const std::map<dealii::types::global_dof_index, double>& driven() const { return driven_dofs; }
-
   bool move() const { return !moved_supports.empty(); }
+  double motion() const { return way_part; }
+
+  /// Displacement unknowns that move, with their way in mm.
+  const std::map<dealii::types::global_dof_index, double>& moved() const { return moved_dofs; }
+
+  /// Names of supports, at rest or moved, that hold @p component (from 0).
+  std::vector<std::string> holding(unsigned int component) const;
 
   /// Temperature unknowns of the walls with their value in K.
   const std::map<dealii::types::global_dof_index, double>& heated() const { return heated_dofs; }
@@ -70,7 +75,7 @@ private:
   std::map<std::string, std::string> moved_supports;
   std::map<std::string, double> temperatures;
   Electrodes<dim> plates;
-  double motion = 0.;
+  double way_part = 0.;
 
   dealii::IndexSet owned;
   Values fixed_dofs;  ///< value in mm

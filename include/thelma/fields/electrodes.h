@@ -41,6 +41,11 @@ public:
   /// The electrode called @p name. Throws InputError, with @p place in the sentence.
   const Electrode& named(const std::string& name, const std::string& place) const;
 
+  /// The electrodes on one side of the source, of which the columns of voltage and charge tell:
+  /// those that a positive multiple of the voltage drives, or else a negative one; where all of
+  /// them float, those with a charge of their own.
+  std::vector<const Electrode*> live() const;
+
   /// Let @p name float with @p charge (uC) from now on, or drive it.
   void disconnect(const std::string& name, double charge);
   void connect(const std::string& name);

@@ -40,6 +40,9 @@ public:
   /// Column names with their unit, such as `charge_uC`.
   virtual std::vector<std::string> columns() const = 0;
 
+  /// What a reader of the columns must know of this scene, a sentence to a line.
+  virtual std::vector<std::string> remarks() const { return {}; }
+
   /// In the present state. What depends on earlier steps too (`ledger`) is asked once per accepted
   /// step, in order.
   virtual std::vector<double> evaluate(const Scene<dim>& scene) = 0;

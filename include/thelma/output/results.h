@@ -58,6 +58,16 @@ public:
   /// The newest checkpoint on all ranks; none unless it is younger than the files @p inputs.
   std::optional<std::string> read_checkpoint(const std::vector<std::string>& inputs);
 
+  /// What the observables say of their columns in this scene.
+  std::vector<std::string> remarks() const
+  {
+    std::vector<std::string> sentences;
+    for (const auto& entry : observed)
+      for (const std::string& sentence : entry.second->remarks())
+        sentences.push_back(sentence);
+    return sentences;
+  }
+
   /// How to go on after the run was stopped.
   std::string advice() const { return "go on with thelma --restart " + folder; }
 
