@@ -4,6 +4,8 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <numeric>
+
 namespace thelma
 {
 namespace
@@ -183,6 +185,24 @@ void PressureDilatation<dim>::tangent(const CellView<dim>& view, CellResult& res
   result.blocks.write(result.tangent);
 }
 
+/// Without the part of the stabilisation, whose mean over the cell is zero.
+template <int dim>
+double PressureDilatation<dim>::pressure(const CellView<dim>& view, const dealii::Point<dim>& xi,
+                                         const PointState<>&) const
+{
+  const Modes m = modes_at(xi);
+  return std::inner_product(m.begin(), m.begin() + n_modes, view.internal, 0.);
+}
+
+template <int dim>
+Modes PressureDilatation<dim>::modes_at(const dealii::Point<dim>& xi) const
+{
+  Modes values{{1.}};
+  for (unsigned int i = 1; i < n_modes; ++i)
+    values[i] = 2. * xi[i - 1] - 1.;
+  return values;
+}
+
 /// The largest need of its points. Not quite the whole bulk modulus, so that the answer of the mean
 /// pressure (S of Kept) stays positive.
 template <int dim>
@@ -196,9 +216,8 @@ double PressureDilatation<dim>::stabilisation(const CellView<dim>& view) const
   const Material& material = *view.cell.material;
   with_points(view, [&](const CellPoints<dim>& points, const CellPoints<dim>&) {
     for (unsigned int q = 0; q < points.n_points; ++q) {
-      double pressure = 0.;
-      for (unsigned int i = 0; i < n_modes; ++i)
-        pressure += modes[q][i] * view.internal[i];
+      const double pressure =
+          std::inner_product(modes[q].begin(), modes[q].begin() + n_modes, view.internal, 0.);
       const double most = part * material.thermal.volumetric(dilatation, points.theta(q)).dp_dJ;
       needed =
           std::max(needed, needed_stabilisation(material, points.state(q), pressure, dim, most));

@@ -1,5 +1,8 @@
 #include <thelma/elements/pressure_dilatation.h>
 
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_dgq.h>
+
 namespace thelma
 {
 namespace
@@ -20,7 +23,20 @@ public:
     for (unsigned int q = 0; q < n_modes; ++q)
       modes[q][q] = 1.;
     this->use(layout, n_points, modes, n_modes);
+    between_points.emplace(dealii::QGauss<1>(n_points));
   }
+
+protected:
+  Modes modes_at(const dealii::Point<dim>& xi) const override
+  {
+    Modes values{};
+    for (unsigned int i = 0; i < between_points->dofs_per_cell; ++i)
+      values[i] = between_points->shape_value(i, xi);
+    return values;
+  }
+
+private:
+  std::optional<dealii::FE_DGQArbitraryNodes<dim>> between_points;
 };
 
 } // namespace

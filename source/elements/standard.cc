@@ -27,6 +27,12 @@ public:
     result.blocks.write(result.tangent);
   }
 
+  double pressure(const CellView<dim>& view, const dealii::Point<dim>&,
+                  const PointState<>& state) const override
+  {
+    return view.cell.material->thermal.volumetric(Kinematics<>(state.F).J, state.theta).p;
+  }
+
   Energies energies(const CellView<dim>& view) const override
   {
     return integral(

@@ -6,9 +6,11 @@
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
 #include <filesystem>
+#include <map>
 #include <regex>
 #include <sstream>
 
@@ -21,12 +23,19 @@ using dealii::DataComponentInterpretation::component_is_part_of_tensor;
 using dealii::DataComponentInterpretation::component_is_part_of_vector;
 using dealii::DataComponentInterpretation::component_is_scalar;
 
-/// P, D, E and J from the material's own functions at the points of the output.
+/// P, D, E and J at the points of the output, by the material's own functions and the pressure of
+/// the element.
 template <int dim>
 class PointQuantities final : public dealii::DataPostprocessor<dim>
 {
 public:
-  explicit PointQuantities(const Scene<dim>& scene) : scene(scene) {}
+  explicit PointQuantities(const Scene<dim>& scene)
+      : scene(scene),
+        points(dealii::QTrapezoid<1>(), scene.layout.degree()) // as DataOut subdivides cells
+  {
+    for (std::size_t index = 0; index < scene.layout.cells().size(); ++index)
+      index_of[scene.layout.cells()[index].iterator->active_cell_index()] = index;
+  }
 
   std::vector<std::string> get_names() const override
   {
@@ -62,7 +71,9 @@ public:
       const Kinematics<> kin(state.F);
       FirstDerivatives<> d;
       material.evaluate(state, d);
-      add_volumetric(kin, material.thermal.volumetric(kin.J, state.theta), d);
+      Volumetric<> volumetric{};
+      volumetric.p = pressure(cell->active_cell_index(), q, state);
+      add_volumetric(kin, volumetric, d);
       for (int i = 0; i < dim; ++i) {
         for (int J = 0; J < dim; ++J)
           output[q][i * dim + J] = d.P[axis<dim>(i)][axis<dim>(J)];
@@ -93,7 +104,21 @@ private:
     return state;
   }
 
+  double pressure(const unsigned int active_cell, const std::size_t q,
+                  const PointState<>& state) const
+  {
+    const Formulation<dim>& element = scene.system.element();
+    const std::size_t index = index_of.at(active_cell);
+    const CellView<dim> view{
+        index,       scene.layout.cells()[index],
+        nullptr,     scene.state.internal.data() + index * element.n_internal(),
+        state.theta, scene.layout.has(Field::temperature)};
+    return element.pressure(view, points.point(q), state);
+  }
+
   const Scene<dim>& scene;
+  dealii::QIterated<dim> points;
+  std::map<unsigned int, std::size_t> index_of; ///< active cell -> own cell
 };
 
 /// Names and kinds of the solution's own components.

@@ -98,6 +98,10 @@ public:
   virtual void residual(const CellView<dim>& view, CellResult& result) const = 0;
   virtual void tangent(const CellView<dim>& view, CellResult& result) const = 0;
 
+  /// Its pressure dpsi_v/dJ in MPa at the point @p xi of the reference cell, in the given state.
+  virtual double pressure(const CellView<dim>& view, const dealii::Point<dim>& xi,
+                          const PointState<>& state) const = 0;
+
   /// What the volume at the points needs beyond its means, at this state; CellView::stabilisation.
   virtual double stabilisation(const CellView<dim>&) const { return 0.; }
 

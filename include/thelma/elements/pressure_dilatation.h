@@ -34,6 +34,8 @@ public:
   void recover(const Elimination<dim>& cell, const double* dx, double* correction) const override;
   unsigned int n_kept_pressures() const override { return n_modes; }
   PressureBlock pressures(const Elimination<dim>& cell) const override;
+  double pressure(const CellView<dim>& view, const dealii::Point<dim>& xi,
+                  const PointState<>& state) const override;
   double stabilisation(const CellView<dim>& view) const override;
   Energies energies(const CellView<dim>& view) const override;
 
@@ -49,6 +51,9 @@ protected:
 
   /// The constant and, if @p n_modes is dim + 1, the coordinates on the cell, at these points.
   static std::vector<Modes> polynomials(unsigned int n_points, unsigned int n_modes);
+
+  /// The modes at any point of the reference cell.
+  virtual Modes modes_at(const dealii::Point<dim>& xi) const;
 
   /// Set the gradients of the modes after the nodes at one point.
   virtual void enhance(std::size_t /*cell*/, unsigned int /*q*/, Gradients<dim>&) const {}
