@@ -93,8 +93,11 @@ void Problem<dim>::check_and_set_up(Complaints& found)
     found.allow([&]() { transient.check_walls(theta); });
   if (path_following.is_automatic())
     system.require_inertia();
-  const bool has_system = found.allow(
-      [&]() { system.choose(layout.is_transient() ? Solved::deformation : Solved::all); });
+  const bool has_system = found.allow([&]() {
+    system.choose(layout.is_transient() ? Solved::deformation : Solved::all);
+    if (layout.is_transient())
+      transient.choose(system); // what it knows and counts makes columns
+  });
   if (has_system)
     found.allow([&]() { results.setup(scene(), theta); });
   found.allow([&]() { check_path(); });

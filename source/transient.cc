@@ -96,6 +96,12 @@ void Transient<dim>::check_walls(const double theta_start) const
 }
 
 template <int dim>
+void Transient<dim>::choose(const System<dim>& deformation)
+{
+  system.choose(is_monolithic() ? Solved::all : Solved::temperature, deformation);
+}
+
+template <int dim>
 void Transient<dim>::setup(const System<dim>& deformation, const double target_voltage,
                            const double theta_start)
 {
@@ -103,7 +109,7 @@ void Transient<dim>::setup(const System<dim>& deformation, const double target_v
     return;
   voltage = layout.has(Field::potential) ? target_voltage : 0.;
   theta = theta_start;
-  system.setup(is_monolithic() ? Solved::all : Solved::temperature, deformation);
+  system.setup(deformation);
 }
 
 template <int dim>

@@ -82,13 +82,18 @@ void System<dim>::setup()
 }
 
 template <int dim>
-void System<dim>::setup(const Solved fields, const System& other)
+void System<dim>::choose(const Solved fields, const System& other)
 {
   formulation_name = other.formulation_name;
-  if (fields != Solved::temperature)
-    pressure = other.pressure;
   linear_settings = other.linear_settings;
   choose(fields);
+}
+
+template <int dim>
+void System<dim>::setup(const System& other)
+{
+  if (solved != Solved::temperature)
+    pressure = other.pressure;
   setup();
 }
 

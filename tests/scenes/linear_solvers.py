@@ -7,7 +7,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from scene import program_and_ranks, require, validated
+from scene import program_and_ranks, require, settings, validated
 
 CUBIC = ["--set", "Mesh/Parameters=L: 20, W: 1, H: 1, n1: 2, n2: 1, n3: 20"]
 
@@ -32,10 +32,25 @@ def difference(block, direct):
                for b, d in zip(block, direct) for name in ("tip_u1_mm", "tip_u3_mm"))
 
 
+def check_columns(program, folder):
+    """All fields at once in time: as many names as values."""
+    for solver in ("direct", "block"):
+        program.run("planar_actuator", f"{folder}/{solver} in time", *settings(
+            {"Discretisation/Formulation": "mean dilatation", "Linear solver/Solver": solver,
+             "Temperature/Model": "transient", "Temperature/Fixed": "bottom: 313", "Time/End": "0.1",
+             "Time/Coupling": "monolithic", "Loading/Target": "0.3", "Loading/Expected end": "target",
+             "Expectations/Final values": "", "Output/Fields": "none"}))
+        with open(f"{folder}/{solver} in time/curve.csv", encoding="utf-8") as file:
+            names, *rows = list(csv.reader(file))
+        require(rows and all(len(row) == len(names) for row in rows), f"{solver}: {names} {rows[-1]}")
+        require(("linear_iterations" in names) == (solver == "block"), f"{solver}: {names}")
+
+
 def main():
     """Compare."""
     program, all_ranks = program_and_ranks(__doc__)
     with tempfile.TemporaryDirectory() as folder:
+        check_columns(program, folder)
         for name, options, limit in (("near-cubic", CUBIC, 60), ("flat", FLAT, 100)):
             direct, _ = curve(program, f"{folder}/direct {name}", "direct", 1, options)
             for ranks in all_ranks:

@@ -36,8 +36,9 @@ public:
   /// Build the matrix for what has been chosen; the constraints must stand.
   void setup();
 
-  /// Both, as chosen for @p other.
-  void setup(Solved fields, const System& other);
+  /// The same for other fields than those of @p other, and under its pressures.
+  void choose(Solved fields, const System& other);
+  void setup(const System& other);
 
   /// Set the internal unknowns to those of the stress-free body at the uniform temperature.
   void start_internal();
