@@ -5,32 +5,13 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace thelma
 {
 namespace
 {
-
-enum class Parity { none, even, odd };
-
-/// Weights of states at @p places in the polynomial of @p parity through them, at @p place.
-std::vector<double> weights(const std::vector<double>& places, const double place,
-                            const Parity parity)
-{
-  const auto abscissa = [&](const double s) { return parity == Parity::none ? s : s * s; };
-  const auto is_zero = [&](const double s) {
-    return parity == Parity::odd && s == 0.; // known without being asked
-  };
-  std::vector<double> result;
-  for (const double& a : places) {
-    double weight = is_zero(a) ? 0. : parity == Parity::odd ? place / a : 1.;
-    for (const double& b : places)
-      if (&a != &b && !is_zero(b))
-        weight *= (abscissa(place) - abscissa(b)) / (abscissa(a) - abscissa(b));
-    result.push_back(weight);
-  }
-  return result;
-}
 
 /// How the deformation gradient that continues the history @p F, newest last, differs from the
 /// polynomial through its components.
@@ -71,30 +52,90 @@ std::vector<State::Accepted> Predictor<dim>::recent() const
   return {state.path().end() - known, state.path().end()};
 }
 
+/// States so near each other that their difference is noise are passed over, and so are those at so
+/// uneven distances that the polynomial multiplies their errors.
 template <int dim>
-void Predictor<dim>::predict(const double load, const LoadSymmetry symmetry)
+typename Predictor<dim>::Supports Predictor<dim>::supports(const std::vector<double>& places,
+                                                           const double place,
+                                                           const Parity parity) const
 {
-  const bool mirrored = symmetry == LoadSymmetry::voltage;
-  const std::vector<State::Accepted> path = recent();
-  std::vector<double> loads;
-  loads.reserve(path.size());
-  for (const State::Accepted& accepted : path)
-    loads.push_back(accepted.load);
-  const std::vector<double> even = weights(loads, load, mirrored ? Parity::even : Parity::none);
-  combine(path, even, mirrored ? weights(loads, load, Parity::odd) : even);
+  constexpr double near = 1e-3, multiple = 100.;
+  const double newest = places.back();
+  // Guesses between two states have to be of one order.
+  const double there =
+      place > newest || places.size() == 1 ? place : (newest + places[places.size() - 2]) / 2.;
+  Supports found{{newest}, {state.path().back()}};
+  for (std::size_t k = places.size() - 1; k-- > 0 && found.places.size() <= order;) {
+    if (!(found.places.front() - places[k] > near * std::abs(there - newest)))
+      continue;
+    std::vector<double> next = found.places;
+    next.insert(next.begin(), places[k]);
+    double sum = 0.;
+    for (const double weight : weights(next, there, parity))
+      sum += std::abs(weight);
+    if (next.size() > 2 && sum > multiple)
+      break;
+    found.places = std::move(next);
+    found.states.insert(found.states.begin(), state.path()[k]);
+  }
+  return found;
+}
+
+/// Whether the guess, at @p load, goes on about as the last step went, by the @p metric or in the
+/// displacements alone.
+template <int dim>
+bool Predictor<dim>::goes_on(const Supports& path, const double load,
+                             const PathMetric* metric) const
+{
+  constexpr double apart = 1.2; // of unit vectors: 74 degrees
+  const auto length = [&](const Displacement& u, const double l) {
+    return metric ? metric->length(u, l) : u.l2_norm();
+  };
+  const State::Accepted &last = path.states.back(), &before = path.states[path.states.size() - 2];
+  Displacement step = last.x.block(0), change = guess.block(0);
+  step -= before.x.block(0);
+  change -= last.x.block(0);
+  const double step_load = last.load - before.load, change_load = load - last.load,
+               ratio = length(step, step_load) / length(change, change_load);
+  change.sadd(ratio, -1., step);
+  return length(change, ratio * change_load - step_load) < apart * length(step, step_load);
+}
+
+/// The guess at @p place of the highest order that does not point back; returns its load.
+template <int dim>
+double Predictor<dim>::extrapolate(Supports path, const double place, const Parity parity,
+                                   const PathMetric* metric)
+{
+  for (;;) {
+    const std::vector<double> even = weights(path.places, place, parity);
+    double load = 0.;
+    for (std::size_t k = 0; k < even.size(); ++k)
+      load += even[k] * path.states[k].load;
+    combine(path.states, even,
+            parity == Parity::even ? weights(path.places, place, Parity::odd) : even);
+    if (path.states.size() <= 2 || place <= path.places.back() || goes_on(path, load, metric))
+      return load;
+    path.places.erase(path.places.begin());
+    path.states.erase(path.states.begin());
+  }
 }
 
 template <int dim>
-double Predictor<dim>::predict_along(const std::vector<double>& places, const double place)
+void Predictor<dim>::predict(const double load, const LoadSymmetry symmetry)
 {
-  const std::vector<State::Accepted> path = recent();
-  const std::vector<double> all = weights(
-      {places.end() - static_cast<std::ptrdiff_t>(path.size()), places.end()}, place, Parity::none);
-  double load = 0.;
-  for (std::size_t k = 0; k < path.size(); ++k)
-    load += all[k] * path[k].load;
-  combine(path, all, all);
-  return load;
+  std::vector<double> loads;
+  loads.reserve(state.path().size());
+  for (const State::Accepted& accepted : state.path())
+    loads.push_back(accepted.load);
+  const Parity parity = symmetry == LoadSymmetry::voltage ? Parity::even : Parity::none;
+  extrapolate(supports(loads, load, parity), load, parity, nullptr);
+}
+
+template <int dim>
+double Predictor<dim>::predict_along(const std::vector<double>& places, const double place,
+                                     const PathMetric& metric)
+{
+  return extrapolate(supports(places, place, Parity::none), place, Parity::none, &metric);
 }
 
 template <int dim>

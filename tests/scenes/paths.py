@@ -1,0 +1,137 @@
+"""Where a path goes and ends hangs on the body alone: not on the target, the first step, rounding
+at rest or a mirror image nearby. And the end is called what it is.
+
+    paths.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
+"""
+
+import json
+
+from scene import program_and_ranks, require, settings, side_by_side, study, validated
+import bending_exact
+import film_exact
+import gent_exact
+import planar_exact
+
+MATERIAL = planar_exact.Material()
+RATIO = MATERIAL.K / MATERIAL.mu(293)
+FILMS = {
+    3: {"Mesh/Parameters": "L1: 5, L2: 5, L3: 1, n1: 1, n2: 1, n3: 1", "Loading/Until": "lambda_3: 0.5"},
+    2: {"Dimension": "2", "Mesh/File": "../../meshes/bilayer_plane.geo",
+        "Mesh/Parameters": "L: 1, H: 1, n1: 2, n3: 1",
+        "Regions/Materials": "active: elastomer, passive: elastomer",
+        "Supports/Fixed": "outer: u1, x3_min: u3", "Electrodes/Potential": "outer: 0, back: 1",
+        "Discretisation/Degree": "2", "Discretisation/Formulation": "standard",
+        "Output/Observables": "lambda_1", "Observables/lambda_1/From": "outer",
+        "Observables/lambda_1/To": "back", "Loading/Until": "lambda_1: 0.2"}}
+LAWS = {film_exact.NEO_HOOKEAN: {},
+        film_exact.GENT: {"Materials/elastomer/Elastic law": "Gent",
+                          "Materials/elastomer/Gent limit": "30"},
+        film_exact.MOONEY_RIVLIN: {"Materials/elastomer/Elastic law": "Mooney-Rivlin",
+                                   "Materials/elastomer/Second share": "0.5"}}
+# Deflection of the pump in mm by e: an independent code on the same mesh (buckling_pump.py).
+DEFLECTION = {0.25: 0.620, 0.30: 1.117, 0.40: 1.925}
+NO_PULL_IN = {"Loading/Expected end": "target", "Expectations/Final values": ""}
+
+
+def cases(program, folder, scene, entries, *sweeps):
+    """The cases of a sweep; each of the @p sweeps is `Section/Entry=v1,v2,...`."""
+    words = [word for sweep in sweeps for word in ("--sweep", sweep)]
+    program.run(scene, folder, *settings({**entries, "Output/Fields": "none"}), *words)
+    return study.read_study(folder)
+
+
+def rows_of(curve, event):
+    return [row for row, other in enumerate(curve["event"]) if other == event]
+
+
+def limit_points(program, folder):
+    """The limit point of a film is that of its law, whatever the target and the first step."""
+    for dimension, film in FILMS.items():
+        for law, entries in LAWS.items():
+            if (law, dimension) == (film_exact.GENT, 2):
+                continue  # it has none
+            exact = film_exact.limit_point(law, dimension, RATIO)
+            worst = 0.
+            for case in cases(program, folder / f"{dimension}{law[0]}", "hard/pull_in_loop",
+                              {**film, **entries}, "Loading/Target=1.5,3,10",
+                              "Stepping/Initial step=0.01,0.2"):
+                curve = case.curve("e", "event")
+                rows = rows_of(curve, "limit point")
+                require(len(rows) == 1, f"{len(rows)} limit points")
+                worst = max(worst, abs(curve["e"][rows[0]] / exact - 1))
+            print(f"  {law[0]}, {dimension} dimensions: {exact:.8f}, six runs off by {worst:.1e}")
+            validated("paths", f"limit point, {law[0]}, {dimension} dimensions, six targets and steps",
+                      "exact, homogeneous", worst)
+            require(worst < 1e-6, f"a limit point is off by {worst}")
+
+
+def snap_through(program, folder):
+    """Both limit points of Gent's film of hard_cases.py."""
+    exact = [e for e, _ in gent_exact.limit_points(100, 1e3)]
+    for case in cases(program, folder, "hard/snap_through", {}, "Loading/Target=1.5,4,10",
+                      "Stepping/Initial step=0.01,0.2"):
+        curve = case.curve("e", "event")
+        found = curve["e"][rows_of(curve, "limit point")]
+        require(len(found) == 2, f"{len(found)} limit points")
+        error = max(abs(found / exact - 1))
+        print(f"  {found[0]:.8f}, {found[1]:.8f}, off by {error:.1e}, {len(curve['e'])} rows")
+        require(error < 1e-6, f"limit points {found}, exact {exact}")
+
+
+def heated_rest(program, folder):
+    """What rounding leaves at rest of a heated body is no instability."""
+    fields = [0.15 * part / 10 for part in range(11)]
+    for alpha in (1e-5, 1e-4):
+        material = planar_exact.Material(alpha=alpha)
+        temperatures = (294, 299, 305, 311, 323, 341)
+        found = cases(program, folder / f"{alpha}", "bending_actuator_plane", {
+            "Mesh/Parameters": "L: 20, H: 1, n1: 2, n3: 20", "Loading/Target": "0.15",
+            "Materials/elastomer/Thermal expansion": f"{alpha}", **NO_PULL_IN},
+                      "Temperature/Value=" + ",".join(map(str, temperatures)))
+        for case, theta in zip(found, temperatures):
+            curve = case.curve("e", "mid_rotation_deg")
+            circle = list(bending_exact.circles(material, theta, fields))[-1]
+            error = curve["mid_rotation_deg"][-1] / circle.rotation(20) - 1
+            require(curve["e"][-1] > 0.15 - 1e-9 and abs(error) < 1e-2,
+                    f"{theta} K ends at e = {curve['e'][-1]}, the rotation is off by {error}")
+        print(f"  alpha = {alpha}: reached at {len(temperatures)} temperatures")
+    for case in cases(program, folder / "pump", "buckling_pump_quarter", {
+            "Materials/elastomer/Thermal expansion": "1.8e-4", "Loading/Target": "0.15",
+            **NO_PULL_IN}, "Temperature/Value=303,309"):
+        curve = case.curve("e", "centre_u1_mm")
+        require(curve["e"][-1] > 0.15 - 1e-9 and curve["centre_u1_mm"][-1] > 0, "not reached")
+
+
+def mirror_image(program, folder):
+    """An imperfect pump buckles to the side of its imperfection. Its temperature changes nothing."""
+    for case in cases(program, folder, "buckling_pump_quarter", {
+            "Mesh/Parameters": "n1: 2, n2: 4, n3: 10, quarter: 1", **NO_PULL_IN},
+                      "Temperature/Value=275,281,293,309,323,341",
+                      "Loading/Target=" + ",".join(map(str, DEFLECTION))):
+        curve = case.curve("e", "centre_u1_mm")
+        u = curve["centre_u1_mm"]
+        require(all(u[1:] > u[:-1]), f"the deflection does not grow all the way: {u}")
+        error = u[-1] / DEFLECTION[round(float(curve["e"][-1]), 6)] - 1
+        require(abs(error) < 1e-2, f"the deflection is off by {error} at e = {curve['e'][-1]}")
+
+
+def reason(case):
+    """Name and reason of a run's end."""
+    report = json.loads((case.directory / "run.json").read_text())
+    return report["outcome"], report["reason"]
+
+
+CASES = [limit_points, snap_through, heated_rest, mirror_image]
+
+
+def timed(program, folder, case):
+    print(case.__doc__)
+    case(program, folder)
+
+
+def main():
+    program, _ = program_and_ranks(__doc__)
+    side_by_side(program, *((timed, case) for case in CASES))
+
+
+main()
