@@ -46,7 +46,7 @@ double turning_load(System<dim>& system, State& state)
 
 template <int dim>
 ExaminedEnd examine_end(System<dim>& system, State& state, const Refusal refusal,
-                        const double farthest)
+                        const double failed, const double farthest)
 {
   constexpr double negligible = 0.5;
   ExaminedEnd end;
@@ -56,18 +56,19 @@ ExaminedEnd examine_end(System<dim>& system, State& state, const Refusal refusal
     end.ending = PathEnding::limit_point;
   if (refusal != Refusal::unstable)
     return end;
-  // The load does not push a body into the mode of a bifurcation.
+  // Nothing is found beyond a limit point, and the load does not push a body into the mode of a
+  // bifurcation.
   const bool has_mode = !std::isnan(system.critical_mode(end.mode));
   if (!has_mode)
     end.mode = {};
   const double share =
       has_mode ? std::abs(end.mode.block(0) * system.response()) / system.response().l2_norm() : 0.;
-  if (!turns || share < negligible)
+  if (!turns || end.limit < failed || share < negligible)
     end.ending = PathEnding::bifurcation;
   return end;
 }
 
-template ExaminedEnd examine_end(System<2>&, State&, Refusal, double);
-template ExaminedEnd examine_end(System<3>&, State&, Refusal, double);
+template ExaminedEnd examine_end(System<2>&, State&, Refusal, double, double);
+template ExaminedEnd examine_end(System<3>&, State&, Refusal, double, double);
 
 } // namespace thelma

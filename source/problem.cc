@@ -187,12 +187,15 @@ NewtonReport Problem<dim>::solve() const
 
 /// Whether the state found lies on another path than the last one. That is looked into where it
 /// surprises or Newton's method has come through states that are less stable than both: two wells
-/// have a ridge between them, and halfway it shows, however short the way in the mode that matters.
+/// have a ridge between them, and halfway, at the new load, it shows, however short the way in the
+/// mode that matters.
 template <int dim>
 bool Problem<dim>::jumps(NewtonReport& report, const Stepper& steps)
 {
-  constexpr double trusted = 0.3;
+  constexpr double trusted = 0.5;
   const double surprise = predictor.surprise();
+  if (state.path().size() < 2)
+    return false; // no path yet
   if (!system.knows_stability())
     return surprise > 1. && !steps.finest();
   const long long most = std::max(last_unstable, unstable_directions(report));
@@ -201,7 +204,7 @@ bool Problem<dim>::jumps(NewtonReport& report, const Stepper& steps)
   const BlockVector found = state.x;
   const std::vector<double> internal = state.internal;
   const State::Accepted& last = state.path().back();
-  state.x.sadd(0.5, 0.5, last.x);
+  state.x.block(0).sadd(0.5, 0.5, last.x.block(0));
   state.x.update_ghost_values();
   for (std::size_t i = 0; i < internal.size(); ++i)
     state.internal[i] = 0.5 * (internal[i] + last.internal[i]);

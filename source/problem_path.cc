@@ -57,7 +57,7 @@ void Problem<dim>::explain_end(const Stepper& steps, const std::function<void(do
                                                     present.level(steps.failed()));
   system.load_by(prescribe);
   ExaminedEnd end =
-      examine_end(system, state, last_failure.refusal,
+      examine_end(system, state, last_failure.refusal, steps.failed(),
                   steps.failed() + std::max(10. * loading.resolution(), 2. * state.recent_span()));
   switch (end.ending) {
   case PathEnding::limit_point:

@@ -150,8 +150,12 @@ void Problem<dim>::ramp(const Stage& stage)
     if (layout.is_transient())
       set_uniform_temperature(theta);
   };
-  // From rest, reversing the load reverses the potential.
-  const bool at_rest = levels.voltage == 0. && levels.charge == 0. && first_load == 0.;
+  // Without a charge, reversing the load reverses the potential.
+  const auto& electrodes = conditions.electrodes();
+  const bool at_rest =
+      levels.voltage == 0. && levels.charge == 0. &&
+      std::none_of(electrodes.begin(), electrodes.end(),
+                   [](const Electrode& electrode) { return electrode.kept_charge != 0.; });
   const LoadSymmetry symmetry =
       at_rest && stage.is_electric() ? LoadSymmetry::voltage : LoadSymmetry::none;
   if (!resumes) {

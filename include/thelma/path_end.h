@@ -16,9 +16,10 @@ struct ExaminedEnd {
 };
 
 /// Examine the end of the path of @p state, whose loads the @p system prescribes; the state is the
-/// last accepted one afterwards. The state sought next was not accepted because of @p refusal; a
-/// load above @p farthest is too far away to have ended the path.
+/// last accepted one afterwards. The state sought next, at the load @p failed, was not accepted
+/// because of @p refusal; a load above @p farthest is too far away to have ended the path.
 template <int dim>
-ExaminedEnd examine_end(System<dim>& system, State& state, Refusal refusal, double farthest);
+ExaminedEnd examine_end(System<dim>& system, State& state, Refusal refusal, double failed,
+                        double farthest);
 
 } // namespace thelma

@@ -45,39 +45,19 @@ void Predictor<dim>::setup(const Formulation<dim>& formulation_, const bool larg
   guess = layout.new_vector();
 }
 
-template <int dim>
-std::vector<State::Accepted> Predictor<dim>::recent() const
-{
-  const std::size_t known = std::min<std::size_t>(state.path().size(), order + 1);
-  return {state.path().end() - known, state.path().end()};
-}
-
-/// States so near each other that their difference is noise are passed over, and so are those at so
-/// uneven distances that the polynomial multiplies their errors.
+/// States so near each other that their difference is noise are passed over.
 template <int dim>
 typename Predictor<dim>::Supports Predictor<dim>::supports(const std::vector<double>& places,
-                                                           const double place,
-                                                           const Parity parity) const
+                                                           const double place) const
 {
-  constexpr double near = 1e-3, multiple = 100.;
+  constexpr double near = 1e-3;
   const double newest = places.back();
-  // Guesses between two states have to be of one order.
-  const double there =
-      place > newest || places.size() == 1 ? place : (newest + places[places.size() - 2]) / 2.;
   Supports found{{newest}, {state.path().back()}};
-  for (std::size_t k = places.size() - 1; k-- > 0 && found.places.size() <= order;) {
-    if (!(found.places.front() - places[k] > near * std::abs(there - newest)))
-      continue;
-    std::vector<double> next = found.places;
-    next.insert(next.begin(), places[k]);
-    double sum = 0.;
-    for (const double weight : weights(next, there, parity))
-      sum += std::abs(weight);
-    if (next.size() > 2 && sum > multiple)
-      break;
-    found.places = std::move(next);
-    found.states.insert(found.states.begin(), state.path()[k]);
-  }
+  for (std::size_t k = places.size() - 1; k-- > 0 && found.places.size() <= order;)
+    if (found.places.front() - places[k] > near * std::abs(place - newest)) {
+      found.places.insert(found.places.begin(), places[k]);
+      found.states.insert(found.states.begin(), state.path()[k]);
+    }
   return found;
 }
 
@@ -87,7 +67,7 @@ template <int dim>
 bool Predictor<dim>::goes_on(const Supports& path, const double load,
                              const PathMetric* metric) const
 {
-  constexpr double apart = 1.2; // of unit vectors: 74 degrees
+  constexpr double apart = 1.4; // of unit vectors: almost a right angle
   const auto length = [&](const Displacement& u, const double l) {
     return metric ? metric->length(u, l) : u.l2_norm();
   };
@@ -128,74 +108,14 @@ void Predictor<dim>::predict(const double load, const LoadSymmetry symmetry)
   for (const State::Accepted& accepted : state.path())
     loads.push_back(accepted.load);
   const Parity parity = symmetry == LoadSymmetry::voltage ? Parity::even : Parity::none;
-  extrapolate(supports(loads, load, parity), load, parity, nullptr);
+  extrapolate(supports(loads, load), load, parity, nullptr);
 }
 
 template <int dim>
 double Predictor<dim>::predict_along(const std::vector<double>& places, const double place,
                                      const PathMetric& metric)
 {
-  return extrapolate(supports(places, place, Parity::none), place, Parity::none, &metric);
-}
-
-template <int dim>
-void Predictor<dim>::follow_temperature()
-{
-  const std::vector<State::Accepted> path = recent();
-  const unsigned int b = layout.block(Field::temperature);
-  const auto theta = state.x.block(b);
-  const std::vector<double> weights = temperature_weights(path);
-  combine(path, weights, weights);
-  state.x.block(b) = theta;
-  state.x.update_ghost_values();
-}
-
-/// Least squares by Gram and Schmidt, from the newest change of temperature to the oldest; one that
-/// is almost made of the others says nothing.
-template <int dim>
-std::vector<double>
-Predictor<dim>::temperature_weights(const std::vector<State::Accepted>& path) const
-{
-  constexpr double negligible = 1e-4;
-  const unsigned int b = layout.block(Field::temperature);
-  const std::size_t n = path.size();
-  const auto difference = [&](const auto& x, const auto& y) {
-    auto d = x;
-    d -= y;
-    d.zero_out_ghost_values();
-    return d;
-  };
-  auto rest = difference(state.x.block(b), path.back().x.block(b));
-  std::vector<decltype(rest)> basis;
-  std::vector<std::vector<double>> coefficients; // of the states in each vector of the basis
-  std::vector<double> weights(n, 0.);
-  weights.back() = 1.;
-  for (std::size_t k = n - 1; k-- > 0;) {
-    auto v = difference(path[k + 1].x.block(b), path[k].x.block(b));
-    std::vector<double> c(n, 0.);
-    c[k + 1] = 1.;
-    c[k] = -1.;
-    const double length = v.l2_norm();
-    for (std::size_t m = 0; m < basis.size(); ++m) {
-      const double part = v * basis[m];
-      v.add(-part, basis[m]);
-      for (std::size_t i = 0; i < n; ++i)
-        c[i] -= part * coefficients[m][i];
-    }
-    const double left = v.l2_norm();
-    if (!(left > negligible * length))
-      continue;
-    v /= left;
-    for (double& value : c)
-      value /= left;
-    const double part = rest * v;
-    rest.add(-part, v);
-    for (std::size_t i = 0; i < n; ++i)
-      weights[i] += part * c[i];
-    basis.push_back(std::move(v));
-    coefficients.push_back(std::move(c));
-  }
-  return weights;
+  return extrapolate(supports(places, place), place, Parity::none, &metric);
 }
 
 template <int dim>

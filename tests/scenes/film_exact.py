@@ -39,7 +39,7 @@ def state(law, dimension, ratio, lambda_3):
 
 def limit_point(law, dimension, ratio):
     """e of the first limit point; Gent's film has none in plane strain."""
-    thinnest = 0.45 if dimension == 3 else 0.18
+    thinnest = 0.35 if dimension == 3 else 0.18
     best = minimize_scalar(lambda l_3: -state(law, dimension, ratio, l_3)[1], method="bounded",
                            bounds=(thinnest, 0.95), options={"xatol": 1e-10})
     return -best.fun

@@ -24,7 +24,7 @@ enum class LoadSymmetry { none, voltage };
 /// displacement is extrapolated but the deformation gradient, F = R U, the rotation by its vector
 /// and the stretch by its components; the displacement is the one whose gradient comes nearest.
 /// Where a path bends sharply, as at a bifurcation, high orders mislead: the order is the highest
-/// that has lately served, does not multiply errors and does not point back.
+/// that has lately served and does not point back.
 template <int dim>
 class Predictor
 {
@@ -73,7 +73,7 @@ private:
   };
 
   /// As many of the newest states at @p places as serve a guess at @p place.
-  Supports supports(const std::vector<double>& places, double place, Parity parity) const;
+  Supports supports(const std::vector<double>& places, double place) const;
   bool goes_on(const Supports& path, double load, const PathMetric* metric) const;
   double extrapolate(Supports path, double place, Parity parity, const PathMetric* metric);
   std::vector<State::Accepted> recent() const;
