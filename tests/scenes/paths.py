@@ -115,13 +115,44 @@ def mirror_image(program, folder):
         require(abs(u[-1] / DEFLECTION - 1) < 1e-2, f"a deflection of {u[-1]} mm at {theta} K")
 
 
-def reason(case):
-    """Name and reason of a run's end."""
-    report = json.loads((case.directory / "run.json").read_text())
-    return report["outcome"], report["reason"]
+def double_bifurcation(program, folder):
+    """A square column buckles in two directions under one load, Euler's, with 3 mu for its modulus."""
+    case = program.run("hard/pull_in_loop", folder, *settings({
+        "Mesh/Parameters": "L1: 1, L2: 1, L3: 40, n1: 1, n2: 1, n3: 20",
+        "Discretisation/Degree": "2", "Discretisation/Formulation": "mean dilatation",
+        "Supports/Fixed": "bottom: u1 u2 u3", "Electrodes/Potential": "", "Regions/Passive": "film",
+        "Loads/Force": "top: 0 0 -5e-5", "Loading/Stages": "force 1", "Loading/Until": "",
+        "Output/Observables": "lambda_3", "Output/Fields": "none"}))
+    curve = case.curve("load", "unstable_directions", "event")
+    found = [(row, event) for row, event in enumerate(curve["event"]) if event]
+    require([event for _, event in found] == ["double bifurcation"], f"events {found}")
+    force = 5e-5 * curve["load"][found[0][0]]
+    euler = math.pi**2 * 3 * MATERIAL.mu(293) / 12 / (4 * 40**2)
+    print(f"  {force:.5e} N, Euler's load {euler:.5e} N")
+    validated("paths", "double buckling force of a square column", "Euler, slender limit",
+              force / euler - 1)
+    # The clamped end is stiffer by a part of the width, which falls with the length.
+    require(abs(force / euler - 1) < 1e-2, "not Euler's load")
+    require(curve["unstable_directions"][-1] == 2, "not two unstable directions")
 
 
-CASES = [limit_points, snap_through, heated_rest, mirror_image]
+def ends(program, folder):
+    """Ends are called what they are, with what is known of them."""
+    by_load = {"Stepping/Continuation": "load", "Loading/Until": "", "Output/Fields": "none"}
+    for scene, entries, outcome, texts in (
+            ("hard/pull_in_loop", by_load, "pull-in", ["pull-in between e = 0.687"]),
+            ("hard/snap_through", by_load, "pull-in", ["pull-in between e = 0.689"]),
+            ("hard/hourglass", {}, "instability",
+             ["1 unstable direction", "critical mode is mostly u", "e_true", "thinnest stretch"])):
+        case = program.run(scene, folder / outcome / scene, *settings(entries), exit_code=3)
+        report = json.loads((case.directory / "run.json").read_text())
+        print(f"  {report['reason']}")
+        require(report["outcome"] == outcome, f"{scene} ends as {report['outcome']}")
+        for text in texts:
+            require(text in report["reason"], f"{scene} does not say '{text}'")
+
+
+CASES = [limit_points, snap_through, heated_rest, mirror_image, double_bifurcation, ends]
 
 
 def timed(program, folder, case):
