@@ -187,8 +187,8 @@ NewtonReport Problem<dim>::solve() const
 
 /// Whether the state found lies on another path than the last one. That is looked into where it
 /// surprises or Newton's method has come through states that are less stable than both: two wells
-/// have a ridge between them, and halfway, at the new load, it shows, however short the way in the
-/// mode that matters.
+/// have a ridge between them, and a third of the way from the last one, at the new load, it shows,
+/// be that the ridge itself or the other well: however short the way in the mode that matters.
 template <int dim>
 bool Problem<dim>::jumps(NewtonReport& report, const Stepper& steps)
 {
@@ -204,15 +204,14 @@ bool Problem<dim>::jumps(NewtonReport& report, const Stepper& steps)
   const BlockVector found = state.x;
   const std::vector<double> internal = state.internal;
   const State::Accepted& last = state.path().back();
-  state.x.block(0).sadd(0.5, 0.5, last.x.block(0));
+  state.x.block(0).sadd(1. / 3., 2. / 3., last.x.block(0));
   state.x.update_ghost_values();
-  for (std::size_t i = 0; i < internal.size(); ++i)
-    state.internal[i] = 0.5 * (internal[i] + last.internal[i]);
+  system.relax_internal();
   bool has_ridge = !system.residual().admissible();
   if (!has_ridge) {
-    const LinearReport halfway = system.linear_solve(false);
-    report.add({0, 1, halfway.iterations});
-    has_ridge = !halfway.solved || system.unstable_directions(halfway.negative_pivots) > most;
+    const LinearReport there = system.linear_solve(false);
+    report.add({0, 1, there.iterations});
+    has_ridge = !there.solved || system.unstable_directions(there.negative_pivots) > most;
   }
   state.x = found;
   state.internal = internal;
