@@ -1,6 +1,6 @@
 """Which parts of a curve are unstable."""
 
-EVENTS = ("limit point", "bifurcation")
+EVENTS = ("limit point", "bifurcation")  # a bifurcation may be a `double` one
 
 
 def unstable_pieces(unstable, events=None):
@@ -8,7 +8,7 @@ def unstable_pieces(unstable, events=None):
     numbers of unstable directions. At a limit point or bifurcation, an entry of `events`, that number
     is either side's: there the piece's other end decides."""
     rows = [bool(number) and number == number for number in unstable]  # nan is unknown
-    critical = [event in EVENTS for event in (events if events is not None else [""] * len(rows))]
+    critical = [event.endswith(EVENTS) for event in (events if events is not None else [""] * len(rows))]
     pieces = []
     for i in range(len(rows) - 1):
         ends = [rows[j] for j in (i, i + 1) if not critical[j]]

@@ -9,6 +9,17 @@
 
 namespace thelma
 {
+namespace
+{
+
+std::string bifurcation_name(const long long multiplicity)
+{
+  return multiplicity <= 1   ? "bifurcation"
+         : multiplicity == 2 ? "double bifurcation"
+                             : std::to_string(multiplicity) + "-fold bifurcation";
+}
+
+} // namespace
 
 template <int dim>
 typename PathFollowing<dim>::Solution PathFollowing<dim>::between(const double place)
@@ -18,7 +29,7 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::between(const double p
   state.x = last.x;
   system.set_load(last.load);
   Plane plane = across(before);
-  system.set_load(predictor.predict_along(places(), place));
+  system.set_load(predictor.predict_along(places(), place, metric));
   plane.value += plane.excess(system);
   Solution found = solve(plane);
   if (found)
@@ -90,7 +101,7 @@ PathFollowing<dim>::report_between(const Task& task, const Place& low, const Pla
                          : locate_bifurcation(low.arc, high.arc, low.unstable_directions);
   if (!event)
     return Events::none;
-  event->event = turns ? "limit point" : "bifurcation";
+  event->event = turns ? "limit point" : bifurcation_name(change);
   task.record(*event);
   if (turns)
     return task.stop_at_limit ? Events::aim : Events::none;
@@ -126,7 +137,7 @@ template <int dim>
 void PathFollowing<dim>::start_branch(const double place)
 {
   on_branch = true;
-  system.set_load(predictor.predict_along(places(), place));
+  system.set_load(predictor.predict_along(places(), place, metric));
   state.start(system.load());
 }
 

@@ -109,21 +109,25 @@ Plane PathFollowing<dim>::across_load(const double load) const
   return plane;
 }
 
-/// From a lone state along its tangent.
+/// From a lone state along its tangent. Whether there is a guess.
 template <int dim>
-void PathFollowing<dim>::predict(const double step)
+bool PathFollowing<dim>::predict(const double step)
 {
   if (state.path().size() > 1) {
     const std::vector<double> arc = places();
-    system.set_load(predictor.predict_along(arc, arc.back() + step));
-    return;
+    system.set_load(predictor.predict_along(arc, arc.back() + step, metric));
+    return true;
   }
   system.residual();
   const double change = step / metric.length(system.response(), 1.);
-  system.linear_solve(true);
+  const LinearReport linear = system.linear_solve(true);
+  failure = linear.reason;
+  if (!linear.solved)
+    return false;
   system.add_response(change);
   system.move_to(1.);
   system.set_load(state.accepted_load() + change);
+  return true;
 }
 
 template <int dim>
@@ -133,6 +137,7 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::solve(const Plane& pla
   PathState found;
   found.report = newton.solve(bordered);
   spent.add(found.report);
+  failure = found.report.reason;
   if (!found.report.converged)
     return {};
   return examine(plane, found) ? Solution(found) : Solution();
@@ -147,9 +152,10 @@ bool PathFollowing<dim>::examine(const Plane& plane, PathState& found)
   BorderedSystem bordered(system, plane);
   const double before = bordered.residual().norm;
   const LinearReport fresh = bordered.linear_solve(false);
-  found.report.negative_pivots = fresh.negative_pivots;
+  failure = fresh.reason;
   if (!fresh.solved)
     return false;
+  found.report.negative_pivots = fresh.negative_pivots;
   bordered.move_to(1.);
   ResidualReport residual = bordered.residual();
   if (residual.norm > noise * before) {
@@ -174,8 +180,7 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::advance()
 {
   while (!stepper.exhausted()) {
     const State::Accepted& from = state.path().back();
-    predict(stepper.step());
-    Solution found = solve(across(from));
+    Solution found = predict(stepper.step()) ? solve(across(from)) : Solution();
     const double surprise = predictor.surprise();
     if (found && surprise < 1.) {
       const double rest = metric.length(state.x.block(0), found->load);
@@ -186,6 +191,8 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::advance()
       found->step = stepper.step();
       return found;
     }
+    if (found)
+      failure = "the state found is not the continuation of the path";
     ++n_failures;
     state.restore();
     system.set_load(state.accepted_load());
@@ -202,24 +209,29 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::land_on_target()
   const std::vector<double> arc = places();
   const State::Accepted &last = path.back(), &before = path[path.size() - 2];
   const double part = (1. - before.load) / (last.load - before.load);
-  predictor.predict_along(arc, arc[arc.size() - 2] + part * (arc.back() - arc[arc.size() - 2]));
+  predictor.predict_along(arc, arc[arc.size() - 2] + part * (arc.back() - arc[arc.size() - 2]),
+                          metric);
   system.set_load(1.);
   return solve(across_load(1.));
 }
 
+/// Whether there is a direction to go on in.
 template <int dim>
-void PathFollowing<dim>::begin(const Task& task)
+bool PathFollowing<dim>::begin(const Task& task)
 {
   here = {};
   n_steps = 0;
   system.set_load(state.accepted_load());
-  examine(across_load(system.load()), here);
+  if (!examine(across_load(system.load()), here))
+    return false;
   choose_metric();
-  examine(across_load(system.load()), here); // in that metric
+  if (!examine(across_load(system.load()), here)) // in that metric
+    return false;
   const std::vector<double> arc = places();
   stepper.start(arc.size() > 1 ? arc.back() - arc[arc.size() - 2]
                                : task.first_step / std::abs(here.slope),
                 1e-8);
+  return true;
 }
 
 template <int dim>
@@ -259,8 +271,8 @@ typename PathFollowing<dim>::End PathFollowing<dim>::follow(const Task& task, co
   largest_step = task.largest_step;
   if (resumes)
     resume();
-  else
-    begin(task);
+  else if (!begin(task))
+    return End::lost;
   for (; n_steps < most_steps; ++n_steps) {
     if (n_steps > 0 && task.stops()) // before there is no second state to go on from
       return End::stopped;

@@ -117,7 +117,7 @@ void Problem<dim>::heat()
     record(0., last);
   } else if (outcome.code == ExitCode::success)
     outcome = failure("no convergence", "no stable state beyond " + as_text(state.theta) +
-                                            " K while heating: " + last_failure);
+                                            " K while heating: " + last_failure.reason);
 }
 
 /// In a transient scene up to the voltage at time 0.
@@ -130,6 +130,8 @@ bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
     if (steps.accepted() > 0. && stops()) // a checkpoint stands at a row of the curve
       return false;
     const double load = steps.next();
+    if (steps.accepted() == 0. && load < 2. * state.accepted_load())
+      state.forget(); // too near to foretell anything
     {
       const auto timer = timings.measure("prediction");
       predictor.predict(load, symmetry);
@@ -137,17 +139,15 @@ bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
     prescribe(load);
     NewtonReport report = solve();
     const double surprise = predictor.surprise();
-    if (report.converged && surprise > 1. && !steps.finest()) {
-      report.converged = false;
-      report.reason = "the state found is not the continuation of the path";
-    }
+    if (report.converged && jumps(report, steps))
+      report.refuse(Refusal::jump, "the state found is not the continuation of the path");
     outcome.effort.add(report);
     if (!report.converged) {
       ++outcome.failed_steps;
-      last_failure = report.reason;
+      last_failure = report;
       state.restore();
       predictor.adapt(std::numeric_limits<double>::infinity());
-      steps.cut_back();
+      steps.cut_back(report.refusal == Refusal::jump && system.knows_stability());
       if (hands_over(steps, symmetry, true))
         return false;
       continue;
@@ -176,20 +176,54 @@ NewtonReport Problem<dim>::solve() const
   if (report.converged && unstable_directions(report) != 0 && report.reused) {
     // A count that decides is taken at the state itself.
     const LinearReport fresh = system.linear_solve(false);
-    report.negative_pivots = fresh.negative_pivots;
     ++report.factorisations;
     if (!fresh.solved) {
       report.converged = false;
       report.reason = fresh.reason;
+      return report;
     }
+    report.negative_pivots = fresh.negative_pivots;
   }
   const long long unstable = unstable_directions(report);
   const bool rejects = unstable_states == "reject" || path_following.is_automatic();
-  if (report.converged && unstable != 0 && rejects) {
-    report.converged = false;
-    report.reason = "the state found has " + std::to_string(unstable) + " unstable direction(s)";
-  }
+  if (report.converged && unstable != 0 && rejects)
+    report.refuse(Refusal::unstable,
+                  "the state found has " + std::to_string(unstable) + " unstable direction(s)");
   return report;
+}
+
+/// Whether the state found lies on another path than the last one. That is looked into where it
+/// surprises or Newton's method has come through states that are less stable than both: two wells
+/// have a ridge between them, and a third of the way from the last one, at the new load, it shows,
+/// be that the ridge itself or the other well: however short the way in the mode that matters.
+template <int dim>
+bool Problem<dim>::jumps(NewtonReport& report, const Stepper& steps)
+{
+  constexpr double trusted = 0.5;
+  const double surprise = predictor.surprise();
+  if (state.path().size() < 2)
+    return false; // no path yet
+  if (!system.knows_stability())
+    return surprise > 1. && !steps.finest();
+  const long long most = std::max(last_unstable, unstable_directions(report));
+  if (surprise < trusted && system.unstable_directions(report.most_negative_pivots) <= most)
+    return false;
+  const BlockVector found = state.x;
+  const std::vector<double> internal = state.internal;
+  const State::Accepted& last = state.path().back();
+  state.x.block(0).sadd(1. / 3., 2. / 3., last.x.block(0));
+  state.x.update_ghost_values();
+  system.relax_internal();
+  bool has_ridge = !system.residual().admissible();
+  if (!has_ridge) {
+    const LinearReport there = system.linear_solve(false);
+    report.add({0, 1, there.iterations});
+    has_ridge = !there.solved || system.unstable_directions(there.negative_pivots) > most;
+  }
+  state.x = found;
+  state.internal = internal;
+  system.residual(); // for the reactions
+  return has_ridge;
 }
 
 template <int dim>

@@ -1,6 +1,8 @@
 // What happens once the load alone no longer leads along the path.
 
 #include <thelma/base/error.h>
+#include <thelma/output/end_of_path.h>
+#include <thelma/path_end.h>
 #include <thelma/problem.h>
 
 #include <algorithm>
@@ -39,25 +41,47 @@ bool Problem<dim>::hands_over(const Stepper& steps, const LoadSymmetry symmetry,
          (failed || (symmetry == LoadSymmetry::voltage && path_following.turns_soon(steps.step())));
 }
 
+/// How far a body whose end is not classified has gone, for the reason of the outcome.
 template <int dim>
-void Problem<dim>::explain_end(const Stepper& steps)
+std::string Problem<dim>::far_gone()
 {
-  const double limit = state.estimated_limit();
+  const std::string field = describe_field(scene());
+  return field.empty() ? "" : "; " + field;
+}
+
+/// A path that turns back announces that, not much farther away than its last states reach back.
+template <int dim>
+void Problem<dim>::explain_end(const Stepper& steps, const std::function<void(double)>& prescribe)
+{
   const std::string between = ' ' + loading.between(present.kind, present.level(steps.accepted()),
                                                     present.level(steps.failed()));
-
-  // At a limit point the last states themselves announce its end, not much farther away than they
-  // reach back; anything else is not a pull-in.
-  const bool turns_back =
-      limit < steps.failed() + std::max(10. * loading.resolution(), 2. * state.recent_span());
-  if (!turns_back) {
-    const bool unstable = last_failure.find("unstable") != std::string::npos;
-    outcome = failure(unstable ? "instability" : "no convergence",
-                      (unstable ? "loss of stability" : "no convergence") + between + ": " +
-                          last_failure);
-    results.set_event(unstable ? "bifurcation" : "no convergence");
+  system.load_by(prescribe);
+  ExaminedEnd end =
+      examine_end(system, state, last_failure.refusal, steps.failed(),
+                  steps.failed() + std::max(10. * loading.resolution(), 2. * state.recent_span()));
+  switch (end.ending) {
+  case PathEnding::limit_point:
+    return explain_limit(steps, end.limit, between);
+  case PathEnding::bifurcation:
+    outcome = failure("instability", "loss of stability" + between + ": " + last_failure.reason);
+    if (end.mode.n_blocks() > 0) {
+      outcome.reason += "; the critical mode is " + describe_mode(layout, end.mode);
+      results.add_mode(scene(), end.mode);
+    }
+    outcome.reason += far_gone();
+    results.set_event("bifurcation");
     return;
+  case PathEnding::no_convergence:
+    outcome = failure("no convergence",
+                      "no convergence" + between + ": " + last_failure.reason + far_gone());
+    results.set_event("no convergence");
   }
+}
+
+template <int dim>
+void Problem<dim>::explain_limit(const Stepper& steps, const double limit,
+                                 const std::string& between)
+{
   const auto field = [&](const double load) {
     return loading.field(loading.voltage(present.level(load)));
   };
@@ -148,7 +172,8 @@ void Problem<dim>::explain_end(const PathEnd end)
     outcome = failure("most steps", "the path was left after the most steps allowed" + where.str());
     return;
   case PathEnd::lost:
-    outcome = failure("no convergence", "the path was lost" + where.str());
+    outcome = failure("no convergence", "the path was lost" + where.str() + ": " +
+                                            path_following.last_failure() + far_gone());
     results.set_event("no convergence");
   }
 }
@@ -156,7 +181,7 @@ void Problem<dim>::explain_end(const PathEnd end)
 #define INSTANTIATE(dim)                                                                           \
   template void Problem<dim>::check_path() const;                                                  \
   template bool Problem<dim>::hands_over(const Stepper&, LoadSymmetry, bool) const;                \
-  template void Problem<dim>::explain_end(const Stepper&);                                         \
+  template void Problem<dim>::explain_end(const Stepper&, const std::function<void(double)>&);     \
   template typename PathFollowing<dim>::Task Problem<dim>::task(const Stepper&);                   \
   template typename PathFollowing<dim>::End Problem<dim>::follow_arc(                              \
       const typename PathFollowing<dim>::Task&, const std::function<void(double)>&);               \

@@ -150,8 +150,12 @@ void Problem<dim>::ramp(const Stage& stage)
     if (layout.is_transient())
       set_uniform_temperature(theta);
   };
-  // From rest, reversing the load reverses the potential.
-  const bool at_rest = levels.voltage == 0. && levels.charge == 0. && first_load == 0.;
+  // Without a charge, reversing the load reverses the potential.
+  const auto& electrodes = conditions.electrodes();
+  const bool at_rest =
+      levels.voltage == 0. && levels.charge == 0. &&
+      std::none_of(electrodes.begin(), electrodes.end(),
+                   [](const Electrode& electrode) { return electrode.kept_charge != 0.; });
   const LoadSymmetry symmetry =
       at_rest && stage.is_electric() ? LoadSymmetry::voltage : LoadSymmetry::none;
   if (!resumes) {
@@ -169,26 +173,31 @@ void Problem<dim>::ramp(const Stage& stage)
   levels.of(stage.kind) = present.to;
   if (!finished && path_following.is_automatic())
     return follow_load(prescribe);
-  if (!finished) {
-    prescribe(state.accepted_load());
-    explain_end(stepper);
-  }
+  if (!finished)
+    explain_end(stepper, prescribe);
 }
 
 /// At a voltage so small that the body answers linearly, the tangent at rest finds in which
-/// direction the path leaves. The first step can be foretold from there.
+/// direction the path leaves. The first step can be foretold from there, and multiplies the errors
+/// of both states: they are corrected on until these are small against their distance.
 template <int dim>
 void Problem<dim>::leave_rest(const std::function<void(double)>& prescribe)
 {
   constexpr double small = 1. / 32.; // of the first step
+  constexpr double error = 1e-6;     // of a residual against that of the small load
   const double load = small * stepper.step();
+  prescribe(load);
+  const double change = system.residual().norm;
+  prescribe(0.);
+  outcome.effort.add(newton.refine(system, error * change));
+  state.start();
   prescribe(load);
   const NewtonReport report = newton.solve(system, true);
   outcome.effort.add(report);
-  if (report.converged)
-    state.accept(load);
-  else
-    state.restore();
+  if (!report.converged)
+    return state.restore();
+  outcome.effort.add(newton.refine(system, error * change));
+  state.accept(load);
 }
 
 /// Where nothing is driven, the voltage of the curve is that of what carries a charge.

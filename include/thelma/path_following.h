@@ -80,6 +80,9 @@ public:
   const NewtonEffort& effort() const { return spent; }
   unsigned int failures() const { return n_failures; }
 
+  /// Why the last state that was sought has not been found.
+  const std::string& last_failure() const { return failure; }
+
 private:
   using Solution = std::optional<PathState>;
 
@@ -90,7 +93,7 @@ private:
   /// The plane through the iterate across the direction from the accepted state @p from to it.
   Plane across(const State::Accepted& from) const;
   Plane across_load(double load) const;
-  void predict(double step);
+  bool predict(double step);
   Solution solve(const Plane& plane);
   Solution advance();
 
@@ -116,7 +119,7 @@ private:
   Events report_between(const Task& task, const Place& low, const Place& high);
   void start_branch(double place);
   Solution switch_branch(double step);
-  void begin(const Task& task);
+  bool begin(const Task& task);
   void resume();
   std::optional<End> finish(const Task& task, const PathState& next);
 
@@ -138,6 +141,7 @@ private:
   BlockVector mode;
   NewtonEffort spent;
   unsigned int n_failures = 0;
+  std::string failure;
 };
 
 } // namespace thelma

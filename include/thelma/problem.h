@@ -96,8 +96,11 @@ private:
               const Record& record);
   bool hands_over(const Stepper& steps, LoadSymmetry symmetry, bool failed) const;
   NewtonReport solve() const;
+  bool jumps(NewtonReport& report, const Stepper& steps);
   long long unstable_directions(const NewtonReport& report) const;
-  void explain_end(const Stepper& steps);
+  std::string far_gone();
+  void explain_end(const Stepper& steps, const std::function<void(double)>& prescribe);
+  void explain_limit(const Stepper& steps, double limit, const std::string& between);
 
   /// On from the last accepted state along the arc of the path; @p prescribe as for follow().
   PathEnd follow_arc(const PathTask& task, const std::function<void(double)>& prescribe);
@@ -141,7 +144,7 @@ private:
   Ramp present;
   double first_load = 0.; ///< of the present stage, in the curve
   Outcome outcome;
-  std::string last_failure;
+  Failure last_failure;
   std::string unstable_states = "reject";
   long long last_unstable = 0; ///< unstable directions at the newest row of the curve
 };

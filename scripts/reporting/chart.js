@@ -176,7 +176,7 @@ class Chart {
   drawMark(p, alone) {
     const event = p.one.events[p.row] || "", [x, y] = [this.at("x", p.x), this.at("y", p.y)];
     const look = { fill: "#fff", stroke: p.one.color, "stroke-width": 1.5 };
-    if (event === "bifurcation")
+    if (event.endsWith("bifurcation"))
       element("rect", { class: "event", x: x - 4, y: y - 4, width: 8, height: 8, ...look }, this.layer);
     else if (event)
       element("circle", { class: "event", cx: x, cy: y, r: 4.5, ...look }, this.layer);

@@ -5,32 +5,13 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace thelma
 {
 namespace
 {
-
-enum class Parity { none, even, odd };
-
-/// Weights of states at @p places in the polynomial of @p parity through them, at @p place.
-std::vector<double> weights(const std::vector<double>& places, const double place,
-                            const Parity parity)
-{
-  const auto abscissa = [&](const double s) { return parity == Parity::none ? s : s * s; };
-  const auto is_zero = [&](const double s) {
-    return parity == Parity::odd && s == 0.; // known without being asked
-  };
-  std::vector<double> result;
-  for (const double& a : places) {
-    double weight = is_zero(a) ? 0. : parity == Parity::odd ? place / a : 1.;
-    for (const double& b : places)
-      if (&a != &b && !is_zero(b))
-        weight *= (abscissa(place) - abscissa(b)) / (abscissa(a) - abscissa(b));
-    result.push_back(weight);
-  }
-  return result;
-}
 
 /// How the deformation gradient that continues the history @p F, newest last, differs from the
 /// polynomial through its components.
@@ -64,97 +45,77 @@ void Predictor<dim>::setup(const Formulation<dim>& formulation_, const bool larg
   guess = layout.new_vector();
 }
 
+/// States so near each other that their difference is noise are passed over.
 template <int dim>
-std::vector<State::Accepted> Predictor<dim>::recent() const
+typename Predictor<dim>::Supports Predictor<dim>::supports(const std::vector<double>& places,
+                                                           const double place) const
 {
-  const std::size_t known = std::min<std::size_t>(state.path().size(), order + 1);
-  return {state.path().end() - known, state.path().end()};
+  constexpr double near = 1e-3;
+  const double newest = places.back();
+  Supports found{{newest}, {state.path().back()}};
+  for (std::size_t k = places.size() - 1; k-- > 0 && found.places.size() <= order;)
+    if (found.places.front() - places[k] > near * std::abs(place - newest)) {
+      found.places.insert(found.places.begin(), places[k]);
+      found.states.insert(found.states.begin(), state.path()[k]);
+    }
+  return found;
+}
+
+/// Whether the guess, at @p load, goes on about as the last step went, by the @p metric or in the
+/// displacements alone.
+template <int dim>
+bool Predictor<dim>::goes_on(const Supports& path, const double load,
+                             const PathMetric* metric) const
+{
+  constexpr double apart = 1.4; // of unit vectors: almost a right angle
+  const auto length = [&](const Displacement& u, const double l) {
+    return metric ? metric->length(u, l) : u.l2_norm();
+  };
+  const State::Accepted &last = path.states.back(), &before = path.states[path.states.size() - 2];
+  Displacement step = last.x.block(0), change = guess.block(0);
+  step -= before.x.block(0);
+  change -= last.x.block(0);
+  const double step_load = last.load - before.load, change_load = load - last.load,
+               ratio = length(step, step_load) / length(change, change_load);
+  change.sadd(ratio, -1., step);
+  return length(change, ratio * change_load - step_load) < apart * length(step, step_load);
+}
+
+/// The guess at @p place of the highest order that does not point back; returns its load.
+template <int dim>
+double Predictor<dim>::extrapolate(Supports path, const double place, const Parity parity,
+                                   const PathMetric* metric)
+{
+  for (;;) {
+    const std::vector<double> even = weights(path.places, place, parity);
+    double load = 0.;
+    for (std::size_t k = 0; k < even.size(); ++k)
+      load += even[k] * path.states[k].load;
+    combine(path.states, even,
+            parity == Parity::even ? weights(path.places, place, Parity::odd) : even);
+    if (path.states.size() <= 2 || place <= path.places.back() || goes_on(path, load, metric))
+      return load;
+    path.places.erase(path.places.begin());
+    path.states.erase(path.states.begin());
+  }
 }
 
 template <int dim>
 void Predictor<dim>::predict(const double load, const LoadSymmetry symmetry)
 {
-  const bool mirrored = symmetry == LoadSymmetry::voltage;
-  const std::vector<State::Accepted> path = recent();
   std::vector<double> loads;
-  loads.reserve(path.size());
-  for (const State::Accepted& accepted : path)
+  loads.reserve(state.path().size());
+  for (const State::Accepted& accepted : state.path())
     loads.push_back(accepted.load);
-  const std::vector<double> even = weights(loads, load, mirrored ? Parity::even : Parity::none);
-  combine(path, even, mirrored ? weights(loads, load, Parity::odd) : even);
+  const Parity parity = symmetry == LoadSymmetry::voltage ? Parity::even : Parity::none;
+  extrapolate(supports(loads, load), load, parity, nullptr);
 }
 
 template <int dim>
-double Predictor<dim>::predict_along(const std::vector<double>& places, const double place)
+double Predictor<dim>::predict_along(const std::vector<double>& places, const double place,
+                                     const PathMetric& metric)
 {
-  const std::vector<State::Accepted> path = recent();
-  const std::vector<double> all = weights(
-      {places.end() - static_cast<std::ptrdiff_t>(path.size()), places.end()}, place, Parity::none);
-  double load = 0.;
-  for (std::size_t k = 0; k < path.size(); ++k)
-    load += all[k] * path[k].load;
-  combine(path, all, all);
-  return load;
-}
-
-template <int dim>
-void Predictor<dim>::follow_temperature()
-{
-  const std::vector<State::Accepted> path = recent();
-  const unsigned int b = layout.block(Field::temperature);
-  const auto theta = state.x.block(b);
-  const std::vector<double> weights = temperature_weights(path);
-  combine(path, weights, weights);
-  state.x.block(b) = theta;
-  state.x.update_ghost_values();
-}
-
-/// Least squares by Gram and Schmidt, from the newest change of temperature to the oldest; one that
-/// is almost made of the others says nothing.
-template <int dim>
-std::vector<double>
-Predictor<dim>::temperature_weights(const std::vector<State::Accepted>& path) const
-{
-  constexpr double negligible = 1e-4;
-  const unsigned int b = layout.block(Field::temperature);
-  const std::size_t n = path.size();
-  const auto difference = [&](const auto& x, const auto& y) {
-    auto d = x;
-    d -= y;
-    d.zero_out_ghost_values();
-    return d;
-  };
-  auto rest = difference(state.x.block(b), path.back().x.block(b));
-  std::vector<decltype(rest)> basis;
-  std::vector<std::vector<double>> coefficients; // of the states in each vector of the basis
-  std::vector<double> weights(n, 0.);
-  weights.back() = 1.;
-  for (std::size_t k = n - 1; k-- > 0;) {
-    auto v = difference(path[k + 1].x.block(b), path[k].x.block(b));
-    std::vector<double> c(n, 0.);
-    c[k + 1] = 1.;
-    c[k] = -1.;
-    const double length = v.l2_norm();
-    for (std::size_t m = 0; m < basis.size(); ++m) {
-      const double part = v * basis[m];
-      v.add(-part, basis[m]);
-      for (std::size_t i = 0; i < n; ++i)
-        c[i] -= part * coefficients[m][i];
-    }
-    const double left = v.l2_norm();
-    if (!(left > negligible * length))
-      continue;
-    v /= left;
-    for (double& value : c)
-      value /= left;
-    const double part = rest * v;
-    rest.add(-part, v);
-    for (std::size_t i = 0; i < n; ++i)
-      weights[i] += part * c[i];
-    basis.push_back(std::move(v));
-    coefficients.push_back(std::move(c));
-  }
-  return weights;
+  return extrapolate(supports(places, place), place, Parity::none, &metric);
 }
 
 template <int dim>

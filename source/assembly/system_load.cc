@@ -22,7 +22,7 @@ void System<dim>::set_load(const double load)
 /// By central differences of the residual, which is quadratic in the potential: no formulation need
 /// know what the load is.
 template <int dim>
-void System<dim>::solve_load()
+LinearReport System<dim>::solve_load()
 {
   constexpr double h = 1e-4;
   const double load = load_factor;
@@ -48,12 +48,13 @@ void System<dim>::solve_load()
   nodal_response = rate;
   eliminate_internal(nodal_response);
   nodal_response *= -1.;
-  solve_tangent(nodal_response, charge_rate);
+  const LinearReport report = solve_tangent(nodal_response, charge_rate);
   prescribed.zero_out_ghost_values();
   nodal_response += prescribed; // zero where nothing is prescribed
   recover_internal(nodal_response, internal_response);
   raw_residual = kept_residual;
   internal_residual = kept_internal;
+  return report;
 }
 
 template <int dim>
@@ -74,14 +75,15 @@ double System<dim>::critical_mode(BlockVector& mode)
   conditions.constraints().set_zero(mode);
   const std::vector<double> no_charge(floating.charges(0.).size(), 0.);
   BlockVector work = mode;
+  bool solved = true;
   const auto solve = [&](Displacement& vector) {
     work = 0.;
     work.block(0).copy_locally_owned_data_from(vector);
-    solve_tangent(work, no_charge);
+    solved = solve_tangent(work, no_charge).solved && solved;
     vector.copy_locally_owned_data_from(work.block(0));
   };
   const std::optional<Eigenpair> smallest = smallest_eigenpair(solve, mode.block(0));
-  if (!smallest)
+  if (!smallest || !solved)
     return std::numeric_limits<double>::quiet_NaN();
   Displacement direction = smallest->vector;
   solve(direction); // for the other fields
@@ -115,8 +117,8 @@ double System<dim>::orientation(BlockVector& mode) const
 
 template void System<2>::set_load(double);
 template void System<3>::set_load(double);
-template void System<2>::solve_load();
-template void System<3>::solve_load();
+template LinearReport System<2>::solve_load();
+template LinearReport System<3>::solve_load();
 template void System<2>::add_response(double);
 template void System<3>::add_response(double);
 template double System<2>::critical_mode(BlockVector&);

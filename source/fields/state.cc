@@ -24,6 +24,12 @@ void State::restore()
   internal = past.back().internal;
 }
 
+void State::forget()
+{
+  past.pop_back();
+  restore();
+}
+
 void State::accept(const double load)
 {
   if (past.size() == memory)

@@ -38,7 +38,13 @@ LinearReport BorderedSystem::linear_solve(bool)
   report.cost = 0.;
   if (!report.solved)
     return report;
-  system.solve_load();
+  const LinearReport response = system.solve_load();
+  report.iterations += response.iterations;
+  if (!response.solved) {
+    report.solved = false;
+    report.reason = response.reason;
+    return report;
+  }
   load_change = -(plane.excess(system) + plane.normal * system.correction()) /
                 (plane.load_normal + plane.normal * system.response());
   system.add_response(load_change);

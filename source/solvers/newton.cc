@@ -67,6 +67,7 @@ NewtonReport Newton::solve(NonlinearSystem& system, bool reuse) const
       return fail(linear.reason);
     if (linear.factorised) {
       report.negative_pivots = linear.negative_pivots;
+      report.most_negative_pivots = std::max(report.most_negative_pivots, linear.negative_pivots);
       ++report.factorisations;
     }
 
@@ -89,6 +90,30 @@ NewtonReport Newton::solve(NonlinearSystem& system, bool reuse) const
     report.converged = step == 1. && residual.norm <= tolerance;
   }
   return report;
+}
+
+NewtonEffort Newton::refine(NonlinearSystem& system, const double residual) const
+{
+  constexpr double rounding = 0.5; // a residual that falls no faster is made of it
+  NewtonEffort effort;
+  double before = system.residual().norm;
+  while (before > residual) {
+    const LinearReport linear = system.linear_solve(true);
+    effort.add({1, linear.factorised ? 1u : 0u, linear.iterations});
+    if (!linear.solved)
+      break;
+    system.move_to(1.);
+    const double after = system.residual().norm;
+    if (!(after < before)) {
+      system.move_to(0.);
+      system.residual();
+      break;
+    }
+    if (after > rounding * before)
+      break;
+    before = after;
+  }
+  return effort;
 }
 
 } // namespace thelma

@@ -10,7 +10,8 @@ namespace thelma
 namespace
 {
 constexpr double no_failure = 2.; // above every load factor
-}
+constexpr double fast = 3.;       // no step is as many times as long as the one before
+} // namespace
 
 void Stepper::declare(dealii::ParameterHandler& prm)
 {
@@ -28,7 +29,7 @@ void Stepper::declare(dealii::ParameterHandler& prm)
 
 void Stepper::start(const double bracket, const double first_step)
 {
-  resolution = bracket;
+  resolution = nearest = bracket;
   load = trial = 0.;
   size = first_step;
   upper = no_failure;
@@ -44,7 +45,7 @@ double Stepper::next()
     const double step = ahead > 0. ? std::min(size, std::max(0.7 * ahead, resolution)) : size;
     const double left = 1. - load, n_steps = std::ceil(left / step * (1. - 1e-12));
     trial = n_steps <= 1. ? 1. : load + (n_steps <= 3. ? left / n_steps : step);
-  } else if (upper - load > resolution)
+  } else if (upper - load > nearest)
     trial = std::min(load + size, (load + upper) / 2.);
   else // so close a failure must show itself again, from here
     trial = upper;
@@ -53,18 +54,22 @@ double Stepper::next()
 
 void Stepper::accept(const unsigned int newton_iterations, const double estimated_limit)
 {
+  const double taken = trial - load;
   load = trial;
   if (load >= upper || estimated_limit > upper + (upper - load))
     upper = no_failure;
   expected_limit = estimated_limit;
   if (newton_iterations <= easy)
-    size = std::min((2 * newton_iterations <= easy ? 3. : 1.5) * size, largest);
+    size = std::min((2 * newton_iterations <= easy ? fast : 1.5) * size, largest);
   else if (newton_iterations >= hard)
     size /= 2.;
+  size = std::min(size, fast * taken); // farther ahead than that nothing is foretold
 }
 
-void Stepper::cut_back()
+void Stepper::cut_back(const bool jumped)
 {
+  constexpr double finer = 1e-3;
+  nearest = jumped ? finer * resolution : resolution;
   upper = std::min(upper, trial);
   failed_from = load;
   size = std::min(size, trial - load) / 2.;

@@ -19,7 +19,7 @@ class Stability(unittest.TestCase):
         self.assertEqual(stability.unstable_pieces([0, 0, 1, 2, 0]), [False, True, True, True])
 
     def test_at_a_limit_point_the_other_end_decides(self):
-        events = ["", "", "limit point", "", "bifurcation", ""]
+        events = ["", "", "limit point", "", "double bifurcation", ""]
         for at_events in ((0, 0), (1, 1), (1, 2)):
             numbers = [0, 0, at_events[0], 1, at_events[1], 0]
             self.assertEqual(stability.unstable_pieces(numbers, events),

@@ -60,6 +60,31 @@ TEST(Stepper, ForgetsAFailureThatThePathContradicts)
   EXPECT_GT(stepper.failed(), 1.);
 }
 
+TEST(Stepper, GrowsFromTheStepThatWasTaken)
+{
+  Stepper stepper;
+  stepper.start(1e-4, 0.1);
+  stepper.next();
+  stepper.accept(1, 0.101); // a limit is announced, and does not come
+  const double before = stepper.next() - stepper.accepted();
+  EXPECT_LT(before, 1e-3);
+  stepper.accept(1, far_away);
+  EXPECT_NEAR(stepper.next() - stepper.accepted(), 3. * before, 1e-12);
+}
+
+TEST(Stepper, ComesNearerToWhereAnotherPathWasFound)
+{
+  Stepper stepper;
+  stepper.start(1e-4, 0.1);
+  while (!stepper.exhausted()) {
+    if (stepper.next() <= 0.5)
+      stepper.accept(4, 0.5);
+    else
+      stepper.cut_back(true);
+  }
+  EXPECT_LE(stepper.failed() - stepper.accepted(), 1e-7);
+}
+
 /// exp(x) = 1 + load, with det F = 1 - x so that large steps are forbidden.
 struct Exponential : NonlinearSystem {
   ResidualReport residual() override { return {std::abs(std::exp(x) - target), 1. - x}; }
@@ -112,6 +137,17 @@ TEST(Newton, KeepsTheDeterminantPositive)
   EXPECT_NEAR(system.x, std::log(2.), 1e-10);
 }
 
+TEST(Newton, RefinesAStateUntilRounding)
+{
+  Exponential system;
+  const Newton newton;
+  system.x = std::log(2.) + 1e-6;
+  newton.solve(system);
+  EXPECT_EQ(newton.refine(system, 1.).iterations, 0u);
+  EXPECT_GT(newton.refine(system, 0.).iterations, 0u);
+  EXPECT_NEAR(system.x, std::log(2.), 1e-15);
+}
+
 TEST(Newton, FailsAsAValue)
 {
   Exponential system;
@@ -138,7 +174,11 @@ struct Cubic : LoadedSystem {
     du(0) = -excess() / slope();
     return {true, "", true};
   }
-  void solve_load() override { du_dload(0) = 1. / slope(); }
+  LinearReport solve_load() override
+  {
+    du_dload(0) = 1. / slope();
+    return {true, ""};
+  }
   void add_response(const double change) override { du(0) += change * du_dload(0); }
   void move_to(const double step) override { u(0) = base + step * du(0); }
 
@@ -162,6 +202,26 @@ TEST(BorderedSystem, FindsStatesBeyondALimitPointAndNextToIt)
     EXPECT_NEAR(system.u(0), target, 1e-9);
     EXPECT_NEAR(system.load(), target * target * target - target, 1e-9);
   }
+}
+
+TEST(BorderedSystem, TellsThatTheLoadHasNoResponse)
+{
+  struct Unsolvable : Cubic {
+    LinearReport solve_load() override { return {false, "the reason"}; }
+  } system;
+  Plane plane;
+  plane.normal = system.u;
+  BorderedSystem bordered(system, plane);
+  const NewtonReport report = Newton().solve(bordered);
+  EXPECT_FALSE(report.converged);
+  EXPECT_EQ(report.reason, "the reason");
+}
+
+TEST(ArcStepper, EndsWithoutALength)
+{
+  ArcStepper stepper;
+  stepper.start(std::numeric_limits<double>::quiet_NaN(), 1e-8);
+  EXPECT_TRUE(stepper.exhausted());
 }
 
 TEST(ArcStepper, GrowsAgainAfterAFailure)

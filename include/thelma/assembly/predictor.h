@@ -1,8 +1,10 @@
 #pragma once
 
+#include <thelma/assembly/interpolation.h>
 #include <thelma/elements/formulation.h>
 #include <thelma/fields/boundary_conditions.h>
 #include <thelma/fields/state.h>
+#include <thelma/solvers/continuation.h>
 #include <thelma/solvers/laplacian.h>
 
 #include <memory>
@@ -21,8 +23,8 @@ enum class LoadSymmetry { none, voltage };
 /// Polynomials do not follow a body that rolls up: its points move along circles. So not the
 /// displacement is extrapolated but the deformation gradient, F = R U, the rotation by its vector
 /// and the stretch by its components; the displacement is the one whose gradient comes nearest.
-/// Where a path bends sharply, as at a bifurcation, high orders mislead: the order is the one that
-/// has lately served.
+/// Where a path bends sharply, as at a bifurcation, high orders mislead: the order is the highest
+/// that has lately served and does not point back.
 template <int dim>
 class Predictor
 {
@@ -39,9 +41,10 @@ public:
   /// Write the guess at @p load into the State's iterate.
   void predict(double load, LoadSymmetry symmetry);
 
-  /// The same at @p place of a path on which the accepted states stand at @p places, also between
-  /// them; returns the load there.
-  double predict_along(const std::vector<double>& places, double place);
+  /// The same at @p place of a path on which the accepted states stand at @p places by this
+  /// @p metric, also between the last two; returns the load there.
+  double predict_along(const std::vector<double>& places, double place, const PathMetric& metric);
+
   /// Write a better guess of the deformation once the temperature of the iterate is known: by the
   /// weights with which the accepted states make this temperature best.
   void follow_temperature();
@@ -61,7 +64,18 @@ public:
   }
 
 private:
-  /// The newest accepted states that the present order asks for.
+  using Displacement = PathMetric::Displacement;
+
+  /// The accepted states by which a guess is made and where they stand, the newest last.
+  struct Supports {
+    std::vector<double> places;
+    std::vector<State::Accepted> states;
+  };
+
+  /// As many of the newest states at @p places as serve a guess at @p place.
+  Supports supports(const std::vector<double>& places, double place) const;
+  bool goes_on(const Supports& path, double load, const PathMetric* metric) const;
+  double extrapolate(Supports path, double place, Parity parity, const PathMetric* metric);
   std::vector<State::Accepted> recent() const;
   std::vector<double> temperature_weights(const std::vector<State::Accepted>& path) const;
 

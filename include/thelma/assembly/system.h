@@ -52,7 +52,7 @@ public:
   void load_by(std::function<void(double)> prescribe) { prescription = std::move(prescribe); }
   double load() const override { return load_factor; }
   void set_load(double load) override;
-  void solve_load() override;
+  LinearReport solve_load() override;
   void add_response(double change) override;
   const Displacement& displacement() const override { return state.x.block(0); }
   const Displacement& correction() const override { return nodal_correction.block(0); }

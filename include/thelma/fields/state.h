@@ -45,6 +45,9 @@ public:
   /// Return to the last accepted state.
   void restore();
 
+  /// Forget the last accepted state and return to the one before it.
+  void forget();
+
   /// Load factor of the last accepted state.
   double accepted_load() const { return past.back().load; }
 

@@ -22,7 +22,7 @@ public:
   virtual void set_load(double load) = 0;
 
   /// Find the change of the iterate per load, with the tangent of the last linear_solve().
-  virtual void solve_load() = 0;
+  virtual LinearReport solve_load() = 0;
 
   /// Add to the correction what @p change of the load does to the iterate.
   virtual void add_response(double change) = 0;
@@ -105,7 +105,7 @@ public:
     smallest = smallest_step;
   }
   double step() const { return size; }
-  bool exhausted() const { return size < smallest; }
+  bool exhausted() const { return !(size >= smallest); }
   void cut_back() { size /= 2.; }
 
   /// @p surprise: distance of the state from its guess over the length of the step.

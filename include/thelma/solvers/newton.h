@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace thelma
@@ -70,14 +71,41 @@ struct NewtonEffort {
   }
 };
 
+/// Why a state that was found is not accepted.
+enum class Refusal {
+  none,
+  unstable, ///< it has unstable directions
+  jump      ///< it is not the continuation of the path
+};
+
+/// Why there is no next state.
+struct Failure {
+  std::string reason;
+  Refusal refusal = Refusal::none;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& reason& refusal;
+  }
+};
+
 /// Outcome of one nonlinear solve; a failure is a value.
-struct NewtonReport : NewtonEffort {
+struct NewtonReport : NewtonEffort, Failure {
   bool converged = false;
-  std::string reason; ///< why not
   std::vector<double> residuals;
   double min_det_F = 0.;
-  long long negative_pivots = 0; ///< of the last tangent
-  bool reused = false;           ///< whether the last tangent has served more than once
+  long long negative_pivots = 0;      ///< of the last tangent
+  long long most_negative_pivots = 0; ///< of all tangents
+  bool reused = false;                ///< whether the last tangent has served more than once
+
+  /// The state that was found is not accepted, for this reason.
+  void refuse(const Refusal why, std::string sentence)
+  {
+    converged = false;
+    refusal = why;
+    reason = std::move(sentence);
+  }
 };
 
 /// Newton's method. The line search only keeps det F > 0: near incompressibility the residual of
@@ -95,6 +123,10 @@ public:
   /// @p reuse: the last tangent factorised is that of a state nearby and serves as long as it will.
   /// Otherwise every state found comes with a tangent, and the count of its negative pivots.
   NewtonReport solve(NonlinearSystem& system, bool reuse = false) const;
+
+  /// Correct a state on, with the last tangent, until its residual is below @p residual or made of
+  /// rounding: to where differences between states nearby are known.
+  NewtonEffort refine(NonlinearSystem& system, double residual) const;
 
 private:
   bool worth_reusing(const NewtonReport& report, const LinearReport& linear) const;

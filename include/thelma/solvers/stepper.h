@@ -22,10 +22,13 @@ public:
   /// @p estimated_limit: where the path through the last states would end by itself; a failure
   /// well before it was one of the method, not of the body, and is forgotten.
   void accept(unsigned int newton_iterations, double estimated_limit);
-  void cut_back();
+
+  /// The trial load failed. Where a state was found, but not that of the path (@p jumped), the path
+  /// may bend within the resolution: there the loads may come nearer than that.
+  void cut_back(bool jumped = false);
 
   bool finished() const { return load >= 1.; }
-  bool exhausted() const { return failed_from == load && upper - load <= resolution; }
+  bool exhausted() const { return failed_from == load && upper - load <= nearest; }
 
   /// Whether the trial step is near the smallest there is.
   bool finest() const { return trial - load <= 4. * resolution; }
@@ -41,14 +44,14 @@ public:
   template <class Archive>
   void serialize(Archive& archive, unsigned int)
   {
-    archive& resolution& load& size& trial& upper& failed_from& expected_limit;
+    archive& resolution& nearest& load& size& trial& upper& failed_from& expected_limit;
   }
 
 private:
   double initial = 0.05, largest = 0.1;
   unsigned int easy = 4, hard = 8;
 
-  double resolution = 0., load = 0., size = 0., trial = 0.;
+  double resolution = 0., nearest = 0., load = 0., size = 0., trial = 0.;
   double upper = 2., failed_from = -1., expected_limit = 0.;
 };
 

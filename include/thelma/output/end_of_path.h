@@ -1,0 +1,19 @@
+#pragma once
+
+#include <thelma/output/observables.h>
+
+#include <string>
+
+namespace thelma
+{
+
+/// Where a @p mode is largest and along which axis, as a sentence tells it.
+template <int dim>
+std::string describe_mode(const FieldLayout<dim>& layout, BlockVector& mode);
+
+/// How far the field has driven the body: the largest true field and the thinnest stretch along it.
+/// Empty without a field.
+template <int dim>
+std::string describe_field(const Scene<dim>& scene);
+
+} // namespace thelma
