@@ -55,6 +55,7 @@ void Problem<dim>::explain_end(const Stepper& steps, const std::function<void(do
 {
   const std::string between = ' ' + loading.between(present.kind, present.level(steps.accepted()),
                                                     present.level(steps.failed()));
+  constexpr double of_cells = 0.6; // more than in modes that the mesh resolves
   system.load_by(prescribe);
   ExaminedEnd end =
       examine_end(system, state, last_failure.refusal, steps.failed(),
@@ -66,6 +67,9 @@ void Problem<dim>::explain_end(const Stepper& steps, const std::function<void(do
     outcome = failure("instability", "loss of stability" + between + ": " + last_failure.reason);
     if (end.mode.n_blocks() > 0) {
       outcome.reason += "; the critical mode is " + describe_mode(layout, end.mode);
+      if (part_within_cells(layout, end.mode) > of_cells)
+        outcome.reason += ", and alternates from cell to cell or within cells: suspect the element "
+                          "and confirm with a finer mesh, or another formulation (doc/elements.md)";
       results.add_mode(scene(), end.mode);
     }
     outcome.reason += far_gone();

@@ -40,7 +40,7 @@ void write_file(const std::string& file, const std::string& content)
 
 bool append_to_file(const std::string& file, const std::string& text)
 {
-  const int descriptor = open(file.c_str(), O_WRONLY | O_APPEND);
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_APPEND);
   if (descriptor < 0)
     return false;
   // One call, which no signal interrupts once it writes to a disk.
@@ -48,7 +48,7 @@ bool append_to_file(const std::string& file, const std::string& text)
   const bool done =
       ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size());
   const bool undone = done || ftruncate(descriptor, size) == 0;
-  close(descriptor);
+  ::close(descriptor);
   if (!undone)
     throw WriteError("cannot write '" + file + "'; choose another --output folder or make room");
   return done;

@@ -1,4 +1,5 @@
 #include <thelma/base/axes.h>
+#include <thelma/elements/contractions.h>
 #include <thelma/output/end_of_path.h>
 #include <thelma/output/points.h>
 
@@ -75,6 +76,35 @@ std::string describe_mode(const FieldLayout<dim>& layout, BlockVector& mode)
 }
 
 template <int dim>
+double part_within_cells(const FieldLayout<dim>& layout, BlockVector& mode)
+{
+  const Integration<dim> rule(layout, layout.degree() + 1);
+  std::vector<double> values, own(2, 0.), squares(2); // of the gradient, of its means
+  mode.update_ghost_values();
+  for (std::size_t index = 0; index < layout.cells().size(); ++index) {
+    const Cell<dim>& cell = layout.cells()[index];
+    layout.gather(cell, mode, values);
+    const NodalValues<dim> nodal(values.data(), rule.basis().n_nodes, cell.n_components);
+    dealii::Tensor<2, dim> mean;
+    double volume = 0.;
+    for (unsigned int q = 0; q < rule.basis().n_points; ++q) {
+      const PointGeometry<dim>& point = rule.of_cell(index)[q];
+      const auto gradient = nodal.gradient(Gradients<dim>(rule.basis(), q, point));
+      volume += point.JxW;
+      for (int J = 0; J < dim; ++J)
+        for (int i = 0; i < dim; ++i) {
+          mean[i][J] += point.JxW * gradient[J][i];
+          own[0] += point.JxW * gradient[J][i] * gradient[J][i];
+        }
+    }
+    own[1] += mean.norm_square() / volume;
+  }
+  mode.zero_out_ghost_values();
+  dealii::Utilities::MPI::sum(own, layout.communicator(), squares);
+  return squares[0] > 0. ? 1. - squares[1] / squares[0] : 0.;
+}
+
+template <int dim>
 std::string describe_field(const Scene<dim>& scene)
 {
   constexpr double weak = 1e-2; // against the largest nominal field
@@ -105,6 +135,8 @@ std::string describe_field(const Scene<dim>& scene)
 
 template std::string describe_mode(const FieldLayout<2>&, BlockVector&);
 template std::string describe_mode(const FieldLayout<3>&, BlockVector&);
+template double part_within_cells(const FieldLayout<2>&, BlockVector&);
+template double part_within_cells(const FieldLayout<3>&, BlockVector&);
 template std::string describe_field(const Scene<2>&);
 template std::string describe_field(const Scene<3>&);
 

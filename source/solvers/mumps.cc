@@ -50,7 +50,7 @@ void for_each_entry(const dealii::TrilinosWrappers::BlockSparseMatrix& matrix, c
 /// cannot grow.
 bool lacks_memory(const int code)
 {
-  constexpr std::array<int, 9> codes{-5, -7, -8, -9, -11, -13, -14, -15, -19};
+  constexpr std::array<int, 9> codes{{-5, -7, -8, -9, -11, -13, -14, -15, -19}};
   return std::find(codes.begin(), codes.end(), code) != codes.end();
 }
 
