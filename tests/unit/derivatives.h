@@ -46,7 +46,7 @@ void expect_second_order(TestScene<dim>& scene, const BlockVector& direction, co
     EXPECT_TRUE(solver.factorise(scene.system.tangent()).solved);
     BlockVector correction = forces;
     correction -= scene.system.free_residual();
-    solver.solve(correction);
+    EXPECT_TRUE(solver.solve(correction).solved);
     correction.add(d, direction);
     return correction.l2_norm();
   };
