@@ -147,9 +147,10 @@ bool PathFollowing<dim>::examine(const Plane& plane, PathState& found)
   BorderedSystem bordered(system, plane);
   const double before = bordered.residual().norm;
   const LinearReport fresh = bordered.linear_solve(false);
-  found.report.negative_pivots = fresh.negative_pivots;
-  if (!fresh.solved)
+  const LinearReport counted = system.count_pivots(fresh.negative_pivots);
+  if (!fresh.solved || !counted.solved)
     return false;
+  found.report.negative_pivots = counted.negative_pivots;
   bordered.move_to(1.);
   ResidualReport residual = bordered.residual();
   if (residual.norm > noise * before) {

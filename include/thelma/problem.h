@@ -78,6 +78,7 @@ private:
   void declare();
   void find_complaints();
   void check_and_set_up(Complaints& found);
+  void choose_solvers();
   std::vector<std::string> idle_entries() const;
   void heat();
   void set_uniform_temperature(double value);
@@ -96,7 +97,7 @@ private:
               const Record& record);
   bool hands_over(const Stepper& steps, LoadSymmetry symmetry, bool failed) const;
   NewtonReport solve() const;
-  long long unstable_directions(const NewtonReport& report) const;
+  NewtonReport judged(System<dim>& solved, NewtonReport report) const;
   void explain_end(const Stepper& steps);
 
   /// On from the last accepted state along the arc of the path; @p prescribe as for follow().
@@ -122,6 +123,7 @@ private:
   NodalHeat<dim> nodal_heat;
   State state;
   mutable System<dim> system;
+  System<dim> isothermal; ///< counts the unstable directions of states of a steady temperature
   Transient<dim> transient;
   Predictor<dim> predictor;
   Loading loading;
@@ -142,7 +144,7 @@ private:
   double first_load = 0.; ///< of the present stage, in the curve
   Outcome outcome;
   std::string last_failure;
-  std::string unstable_states = "reject";
+  std::string unstable_states = "automatic";
   long long last_unstable = 0; ///< unstable directions at the newest row of the curve
 };
 

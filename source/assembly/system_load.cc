@@ -80,7 +80,8 @@ double System<dim>::critical_mode(BlockVector& mode)
     solve_tangent(work, no_charge);
     vector.copy_locally_owned_data_from(work.block(0));
   };
-  const std::optional<Eigenpair> smallest = smallest_eigenpair(solve, mode.block(0));
+  const std::optional<Eigenpair> smallest =
+      smallest_eigenpair(solve, mode.block(0), is_symmetric());
   if (!smallest)
     return std::numeric_limits<double>::quiet_NaN();
   Displacement direction = smallest->vector;
