@@ -155,7 +155,11 @@ bool PathFollowing<dim>::examine(const Plane& plane, PathState& found)
   failure = fresh.reason;
   if (!fresh.solved)
     return false;
-  found.report.negative_pivots = fresh.negative_pivots;
+  const LinearReport counted = system.count_pivots(fresh.negative_pivots);
+  failure = counted.reason;
+  if (!counted.solved)
+    return false;
+  found.report.negative_pivots = counted.negative_pivots;
   bordered.move_to(1.);
   ResidualReport residual = bordered.residual();
   if (residual.norm > noise * before) {

@@ -16,6 +16,7 @@ Problem<dim>::Problem(const MPI_Comm comm, const ParameterFile& file, std::strin
     : scene_folder(std::filesystem::path(file.name()).parent_path().string()),
       results(comm, file, std::move(folder), console, timings), materials(file), mesh(comm),
       system(layout, conditions, nodal_heat, state, timings),
+      isothermal(layout, conditions, nodal_heat, state, timings),
       transient(layout, conditions, nodal_heat, state, timings),
       predictor(layout, conditions, state), path_following(system, state, predictor, newton)
 {
@@ -52,8 +53,9 @@ void Problem<dim>::declare()
     const Section section(prm, {"Stepping"});
     prm.add_parameter("Unstable states", unstable_states,
                       "Whether an equilibrium with unstable directions ends the run (`reject`) or "
-                      "is kept, with an event in the curve (`keep`).",
-                      Selection("reject|keep"));
+                      "is kept, with an event in the curve (`keep`); `automatic`: `reject` where "
+                      "the linear solver can count them.",
+                      Selection("automatic|reject|keep"));
   }
   path_following.declare(prm);
   newton.declare(prm);
@@ -163,30 +165,33 @@ bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
 }
 
 template <int dim>
-long long Problem<dim>::unstable_directions(const NewtonReport& report) const
+NewtonReport Problem<dim>::solve() const
 {
-  return system.knows_stability() ? system.unstable_directions(report.negative_pivots) : 0;
+  return judged(system, newton.solve(system));
 }
 
 /// A converged state counts only if it is stable, unless the scene says otherwise.
 template <int dim>
-NewtonReport Problem<dim>::solve() const
+NewtonReport Problem<dim>::judged(System<dim>& solved, NewtonReport report) const
 {
-  NewtonReport report = newton.solve(system);
-  if (report.converged && unstable_directions(report) != 0 && report.reused) {
+  if (!report.converged || !solved.knows_stability())
+    return report;
+  LinearReport counted = solved.count_pivots(report.negative_pivots);
+  if (report.reused && counted.solved && solved.unstable_directions(counted.negative_pivots) != 0) {
     // A count that decides is taken at the state itself.
-    const LinearReport fresh = system.linear_solve(false);
+    const LinearReport fresh = solved.linear_solve(false);
     ++report.factorisations;
-    if (!fresh.solved) {
-      report.converged = false;
-      report.reason = fresh.reason;
-      return report;
-    }
-    report.negative_pivots = fresh.negative_pivots;
+    counted = fresh.solved ? solved.count_pivots(fresh.negative_pivots) : fresh;
   }
-  const long long unstable = unstable_directions(report);
-  const bool rejects = unstable_states == "reject" || path_following.is_automatic();
-  if (report.converged && unstable != 0 && rejects)
+  if (!counted.solved) {
+    report.converged = false;
+    report.reason = counted.reason;
+    return report;
+  }
+  report.negative_pivots = counted.negative_pivots;
+  const long long unstable = solved.unstable_directions(counted.negative_pivots);
+  const bool rejects = unstable_states != "keep" || path_following.is_automatic();
+  if (unstable != 0 && rejects)
     report.refuse(Refusal::unstable,
                   "the state found has " + std::to_string(unstable) + " unstable direction(s)");
   return report;
@@ -205,8 +210,11 @@ bool Problem<dim>::jumps(NewtonReport& report, const Stepper& steps)
     return false; // no path yet
   if (!system.knows_stability())
     return surprise > 1. && !steps.finest();
-  const long long most = std::max(last_unstable, unstable_directions(report));
-  if (surprise < trusted && system.unstable_directions(report.most_negative_pivots) <= most)
+  const long long most =
+      std::max(last_unstable, system.unstable_directions(report.negative_pivots));
+  const bool passed_less_stable =
+      system.is_symmetric() && system.unstable_directions(report.most_negative_pivots) > most;
+  if (surprise < trusted && !passed_less_stable)
     return false;
   const BlockVector found = state.x;
   const std::vector<double> internal = state.internal;
@@ -216,7 +224,9 @@ bool Problem<dim>::jumps(NewtonReport& report, const Stepper& steps)
   system.relax_internal();
   bool has_ridge = !system.residual().admissible();
   if (!has_ridge) {
-    const LinearReport there = system.linear_solve(false);
+    LinearReport there = system.linear_solve(false);
+    if (there.solved)
+      there = system.count_pivots(there.negative_pivots);
     report.add({0, 1, there.iterations});
     has_ridge = !there.solved || system.unstable_directions(there.negative_pivots) > most;
   }

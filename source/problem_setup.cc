@@ -21,6 +21,8 @@ void Problem<dim>::setup()
   if (pressure.exist())
     system.set_pressure(pressure);
   transient.setup(system, loading.voltage(1.), theta);
+  if (!system.is_symmetric() && system.knows_stability())
+    isothermal.setup(system);
   predictor.setup(system.element(), system.uses_multigrid());
   state.start();
 
@@ -91,14 +93,7 @@ void Problem<dim>::check_and_set_up(Complaints& found)
   if (has_conditions && found.allow([&]() { nodal_heat.setup(mesh, layout, conditions); }) &&
       has_amplitudes && layout.is_transient())
     found.allow([&]() { transient.check_walls(theta); });
-  if (path_following.is_automatic())
-    system.require_inertia();
-  const bool has_system = found.allow([&]() {
-    system.choose(layout.is_transient() ? Solved::deformation : Solved::all);
-    if (layout.is_transient())
-      transient.choose(system); // what it knows and counts makes columns
-  });
-  if (has_system)
+  if (found.allow([&]() { choose_solvers(); }))
     found.allow([&]() { results.setup(scene(), theta); });
   found.allow([&]() { check_path(); });
   const bool has_forces = found.allow([&]() { dead_loads.setup(mesh, layout); });
@@ -107,6 +102,22 @@ void Problem<dim>::check_and_set_up(Complaints& found)
         has_loading)
       found.allow([&]() { check_stages(); });
     found.allow([&]() { path_following.setup(mesh, layout, conditions); });
+  }
+}
+
+template <int dim>
+void Problem<dim>::choose_solvers()
+{
+  if (path_following.is_automatic())
+    system.require_inertia("Stepping/Continuation = automatic");
+  else if (unstable_states == "reject")
+    system.require_inertia("Stepping/Unstable states = reject");
+  system.choose(layout.is_transient() ? Solved::deformation : Solved::all);
+  if (layout.is_transient())
+    transient.choose(system);
+  else if (!system.is_symmetric()) {
+    isothermal.choose(Solved::deformation, system);
+    system.count_on(isothermal);
   }
 }
 

@@ -42,7 +42,9 @@ void Problem<dim>::evolve()
     // No checkpoint holds what the search for the first step has found so far.
     if (state.path().size() > 1 && stops())
       return;
-    const NewtonReport report = transient.step(predictor, newton, [&]() { return solve(); });
+    NewtonReport report = transient.step(predictor, newton, [&]() { return solve(); });
+    if (transient.is_monolithic())
+      report = judged(transient.heated_system(), report);
     outcome.effort.add(report);
     if (report.converged) {
       const double surprise = predictor.surprise();
@@ -67,7 +69,9 @@ void Problem<dim>::evolve()
 template <int dim>
 void Problem<dim>::record(const double load, const NewtonReport& report)
 {
-  const long long unstable = unstable_directions(report);
+  const System<dim>& solved = state.rates ? scene().system : system;
+  const long long unstable =
+      solved.knows_stability() ? solved.unstable_directions(report.negative_pivots) : 0;
   if (layout.is_transient() && transient.is_monolithic() && !state.rates)
     transient.heated_system().residual(); // for the reactions
   show_floating_voltage();

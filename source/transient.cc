@@ -96,9 +96,11 @@ void Transient<dim>::check_walls(const double theta_start) const
 }
 
 template <int dim>
-void Transient<dim>::choose(const System<dim>& deformation)
+void Transient<dim>::choose(System<dim>& deformation)
 {
   system.choose(is_monolithic() ? Solved::all : Solved::temperature, deformation);
+  if (is_monolithic())
+    system.count_on(deformation);
 }
 
 template <int dim>

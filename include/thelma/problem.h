@@ -78,6 +78,7 @@ private:
   void declare();
   void find_complaints();
   void check_and_set_up(Complaints& found);
+  void choose_solvers();
   std::vector<std::string> idle_entries() const;
   void heat();
   void set_uniform_temperature(double value);
@@ -97,10 +98,10 @@ private:
   bool hands_over(const Stepper& steps, LoadSymmetry symmetry, bool failed) const;
   NewtonReport solve() const;
   bool jumps(NewtonReport& report, const Stepper& steps);
-  long long unstable_directions(const NewtonReport& report) const;
   std::string far_gone();
   void explain_end(const Stepper& steps, const std::function<void(double)>& prescribe);
   void explain_limit(const Stepper& steps, double limit, const std::string& between);
+  NewtonReport judged(System<dim>& solved, NewtonReport report) const;
 
   /// On from the last accepted state along the arc of the path; @p prescribe as for follow().
   PathEnd follow_arc(const PathTask& task, const std::function<void(double)>& prescribe);
@@ -125,6 +126,7 @@ private:
   NodalHeat<dim> nodal_heat;
   State state;
   mutable System<dim> system;
+  System<dim> isothermal; ///< counts the unstable directions of states of a steady temperature
   Transient<dim> transient;
   Predictor<dim> predictor;
   Loading loading;
@@ -145,7 +147,7 @@ private:
   double first_load = 0.; ///< of the present stage, in the curve
   Outcome outcome;
   Failure last_failure;
-  std::string unstable_states = "reject";
+  std::string unstable_states = "automatic";
   long long last_unstable = 0; ///< unstable directions at the newest row of the curve
 };
 

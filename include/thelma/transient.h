@@ -36,8 +36,8 @@ public:
   /// temperature @p theta (K) of time 0.
   void check_walls(double theta) const;
 
-  /// Choose the solver as for @p deformation.
-  void choose(const System<dim>& deformation);
+  /// Choose the solver as for @p deformation, which counts unstable directions.
+  void choose(System<dim>& deformation);
 
   /// @p deformation solves for displacement and potential at given temperatures. @p voltage (kV)
   /// and the wall temperatures are multiplied by their amplitudes, @p theta in K is uniform at

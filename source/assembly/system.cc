@@ -86,6 +86,7 @@ void System<dim>::choose(const Solved fields, const System& other)
 {
   formulation_name = other.formulation_name;
   linear_settings = other.linear_settings;
+  counts_for = other.counts_for;
   choose(fields);
 }
 
@@ -287,17 +288,6 @@ void System<dim>::move_to(const double step)
   state.x.update_ghost_values();
   for (std::size_t i = 0; i < state.internal.size(); ++i)
     state.internal[i] = internal_base[i] + step * internal_correction[i];
-}
-
-template <int dim>
-long long System<dim>::unstable_directions(const long long negative_pivots) const
-{
-  const long long expected =
-      layout.has(Field::potential)
-          ? static_cast<long long>(conditions.n_free(layout, Field::potential))
-          : 0;
-  const long long n_floating = floating.charges(0.).size();
-  return negative_pivots + unstable_inside - expected - n_floating;
 }
 
 template class System<2>;

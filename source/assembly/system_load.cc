@@ -82,7 +82,8 @@ double System<dim>::critical_mode(BlockVector& mode)
     solved = solve_tangent(work, no_charge).solved && solved;
     vector.copy_locally_owned_data_from(work.block(0));
   };
-  const std::optional<Eigenpair> smallest = smallest_eigenpair(solve, mode.block(0));
+  const std::optional<Eigenpair> smallest =
+      smallest_eigenpair(solve, mode.block(0), is_symmetric());
   if (!smallest || !solved)
     return std::numeric_limits<double>::quiet_NaN();
   Displacement direction = smallest->vector;

@@ -45,7 +45,7 @@ void System<dim>::choose_solver()
   problem.flatness = flatness(layout);
   problem.is_symmetric = is_symmetric();
   problem.pressures_can_be_kept = formulation->n_kept_pressures() > 0;
-  problem.needs_inertia = needs_inertia;
+  problem.counts_for = counts_for;
   choice = choose_linear_solver(linear_settings, problem);
   if (solved == Solved::temperature)
     choice = {"direct", "the temperature alone is small"};
@@ -127,7 +127,10 @@ template <int dim>
 std::string System<dim>::solver_description() const
 {
   return "linear solver: " + choice.solver + ", because " + choice.reason +
-         (solver->has_inertia() ? "" : "; whether a state is stable remains unknown");
+         (!knows_stability() ? "; whether a state is stable remains unknown"
+          : symmetric_part ? "; unstable directions are counted on a second, symmetric tangent of "
+                             "displacement and potential"
+                           : "");
 }
 
 template void System<2>::choose_solver();

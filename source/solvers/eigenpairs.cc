@@ -15,19 +15,22 @@ using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
 /// ARPACK on one rank.
 template <typename Inverse>
-std::optional<Eigenpair> smallest_eigenpair_here(const Inverse& inverse, const Vector& start)
+std::optional<Eigenpair> smallest_eigenpair_here(const Inverse& inverse, const Vector& start,
+                                                 const bool symmetric)
 {
   using Arpack = dealii::PArpackSolver<Vector>;
   // A single linear element in the plane has 8 unknowns.
   const auto n_vectors = std::min<dealii::types::global_dof_index>(20, start.size() - 1);
   constexpr int direct = 1; // the eigenvalues of the operator as it is
   dealii::SolverControl control(1000, 1e-10);
-  Arpack arpack(control, MPI_COMM_SELF,
-                {static_cast<unsigned int>(n_vectors), Arpack::largest_magnitude, true, direct});
+  Arpack arpack(
+      control, MPI_COMM_SELF,
+      {static_cast<unsigned int>(n_vectors), Arpack::largest_magnitude, symmetric, direct});
   arpack.reinit(start.locally_owned_elements());
   arpack.set_initial_vector(start);
-  std::vector<std::complex<double>> values(1);
-  std::vector<Vector> vectors(1, start);
+  const std::size_t n_parts = symmetric ? 1 : 2; // of a complex vector
+  std::vector<std::complex<double>> values(n_parts);
+  std::vector<Vector> vectors(n_parts, start);
   try {
     arpack.solve(inverse, inverse, inverse, values, vectors, 1);
   } catch (const dealii::ExceptionBase&) { // how PArpackSolver says so
@@ -79,7 +82,7 @@ private:
 
 /// Rank 0 leads, the others take part in its solutions: PARPACK refuses ranks without unknowns.
 std::optional<Eigenpair> smallest_eigenpair(const std::function<void(Vector&)>& solve,
-                                            const Vector& start)
+                                            const Vector& start, const bool symmetric)
 {
   Exchange exchange(start);
   struct Inverse {
@@ -98,7 +101,7 @@ std::optional<Eigenpair> smallest_eigenpair(const std::function<void(Vector&)>& 
   exchange.collect(exchange.whole);
   std::optional<Eigenpair> found;
   if (exchange.leads) {
-    found = smallest_eigenpair_here(Inverse{exchange, solve}, exchange.whole);
+    found = smallest_eigenpair_here(Inverse{exchange, solve}, exchange.whole, symmetric);
     dealii::Utilities::MPI::broadcast(exchange.comm, false, 0);
   } else
     while (Inverse{exchange, solve}.vmult(exchange.whole, exchange.whole)) {

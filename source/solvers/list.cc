@@ -44,10 +44,10 @@ LinearChoice choose_linear_solver(const LinearSettings& settings, const LinearPr
   if (settings.solver == "block" && !block_works)
     throw InputError("section Linear solver, entry 'Solver': 'block' needs element pressures; set "
                      "Discretisation/Formulation = mean dilatation, or Solver = direct");
-  if (settings.solver == "block" && problem.needs_inertia)
+  if (settings.solver == "block" && !problem.counts_for.empty())
     throw InputError("section Linear solver, entry 'Solver': 'block' does not count unstable "
-                     "directions, which Stepping/Continuation = automatic follows; choose direct, "
-                     "or Continuation = load");
+                     "directions, which " +
+                     problem.counts_for + " needs; choose direct, or change that entry");
   if (settings.solver != "automatic")
     return {settings.solver, "Linear solver/Solver says so"};
   if (problem.dimension == 2)
@@ -58,8 +58,8 @@ LinearChoice choose_linear_solver(const LinearSettings& settings, const LinearPr
     return {"direct", "a body of flat cells has small factors"};
   if (!block_works)
     return {"direct", "block needs element pressures"};
-  if (problem.needs_inertia)
-    return {"direct", "a path is followed by its count of unstable directions"};
+  if (!problem.counts_for.empty())
+    return {"direct", problem.counts_for + " needs the count of unstable directions"};
   return {"block", count + " in three dimensions are more than " + std::to_string(direct_limit)};
 }
 

@@ -72,8 +72,9 @@ Mumps::Mumps(const MPI_Comm comm, const bool symmetric, const Ordering ordering)
   mumps.icntl[13] = 50; // per cent of extra workspace for pivoting
   mumps.icntl[17] = dealii::Utilities::MPI::n_mpi_processes(comm) > 1
                         ? 3
-                        : 0; // every rank brings its own entries
-  mumps.icntl[27] = 1;       // sequential analysis
+                        : 0;    // every rank brings its own entries
+  mumps.icntl[27] = 1;          // sequential analysis
+  mumps.icntl[32] = !symmetric; // the determinant
 }
 
 Mumps::~Mumps()
@@ -128,7 +129,10 @@ LinearReport Mumps::factorise(const Matrix& matrix)
     mumps.icntl[13] *= 2; // more delayed pivots than foreseen
     run(factorise_job);
   }
-  return outcome();
+  LinearReport report = outcome();
+  if (mumps.sym == 0 && report.solved) // rank 0 alone has the sign of the permutation
+    report.negative_pivots = dealii::Utilities::MPI::broadcast(comm, report.negative_pivots, 0);
+  return report;
 }
 
 LinearReport Mumps::outcome() const
@@ -138,7 +142,8 @@ LinearReport Mumps::outcome() const
     // Assembly and factorisation against residual and back substitution, fitted to systems of 400
     // to 23 000 unknowns: 2 for small ones, 10 at 8 million entries of the factor.
     const double entries = mumps.infog[28] > 0 ? mumps.infog[28] : -1e6 * mumps.infog[28];
-    return {true, "", true, mumps.infog[11], 2. + mumps.rinfog[0] / (72. * entries)};
+    const long long negative = mumps.sym != 0 ? mumps.infog[11] : mumps.rinfog[11] < 0.;
+    return {true, "", true, negative, 2. + mumps.rinfog[0] / (72. * entries)};
   }
   if (lacks_memory(code))
     throw OutOfMemory(

@@ -33,7 +33,8 @@ def difference(block, direct):
 
 
 def check_columns(program, folder):
-    """All fields at once in time: as many names as values."""
+    """All fields at once in time: as many names as values, and the count of unstable directions only
+    where it is known."""
     for solver in ("direct", "block"):
         program.run("planar_actuator", f"{folder}/{solver} in time", *settings(
             {"Discretisation/Formulation": "mean dilatation", "Linear solver/Solver": solver,
@@ -43,7 +44,9 @@ def check_columns(program, folder):
         with open(f"{folder}/{solver} in time/curve.csv", encoding="utf-8") as file:
             names, *rows = list(csv.reader(file))
         require(rows and all(len(row) == len(names) for row in rows), f"{solver}: {names} {rows[-1]}")
-        require(("linear_iterations" in names) == (solver == "block"), f"{solver}: {names}")
+        require(("unstable_directions" in names) == (solver == "direct")
+                and ("linear_iterations" in names) == (solver == "block"), f"{solver}: {names}")
+        require(not any(row[-1] for row in rows), f"{solver}: an event where nothing happens")
 
 
 def main():

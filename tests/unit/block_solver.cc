@@ -105,7 +105,7 @@ TEST(LinearChoice, GoesBySizeDimensionAndWhatTheRunNeeds)
   condensed.pressures_can_be_kept = false;
   EXPECT_EQ(choose_linear_solver(automatic, condensed).solver, "direct");
   LinearProblem counted = body(3, 1000000);
-  counted.needs_inertia = true;
+  counted.counts_for = "Stepping/Continuation = automatic";
   EXPECT_EQ(choose_linear_solver(automatic, counted).solver, "direct");
   LinearSettings block;
   block.solver = "block";

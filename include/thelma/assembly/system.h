@@ -114,9 +114,20 @@ public:
 
   bool is_symmetric() const { return !layout.has(Field::temperature) || solved != Solved::all; }
 
-  /// Whether it is known in how many directions a state is unstable: not for an unsymmetric tangent
-  /// or one that is not factorised, nor before the solver is chosen.
-  bool knows_stability() const { return solver && solver->has_inertia(); }
+  /// From now on the unstable directions that this unsymmetric tangent does not tell are counted on
+  /// that of @p displacement_and_potential (theory.md, eqs. 71, 72).
+  void count_on(System& displacement_and_potential)
+  {
+    symmetric_part = &displacement_and_potential;
+  }
+
+  /// Whether it is known in how many directions a state is unstable: not for a tangent that is not
+  /// factorised, nor before the solver is chosen.
+  bool knows_stability() const;
+
+  /// The negative pivots of the symmetric tangent that tells of stability at the iterate, where the
+  /// tangent last factorised has @p own.
+  LinearReport count_pivots(long long own);
 
   /// By these negative pivots beyond those of a stable state's tangent.
   long long unstable_directions(long long negative_pivots) const;
@@ -136,8 +147,8 @@ public:
   /// Which linear solver serves, and why.
   std::string solver_description() const;
 
-  /// From now on the path is followed by the count of unstable directions.
-  void require_inertia() { needs_inertia = true; }
+  /// Unstable directions must be counted for @p entry of the scene.
+  void require_inertia(const std::string& entry) { counts_for = entry; }
 
 private:
   /// Residual with the internal unknowns eliminated, in @p nodal.
@@ -180,7 +191,8 @@ private:
   std::vector<double> charge_scales; ///< of all electrodes
   LinearSettings linear_settings;
   LinearChoice choice;
-  bool needs_inertia = false;
+  std::string counts_for; ///< entry that needs unstable directions
+  System* symmetric_part = nullptr;
   std::unique_ptr<PressureBlocks<dim>> pressures; ///< of a solver that keeps them
   std::unique_ptr<CornerGrids<dim>> corner_grids;
   std::unique_ptr<LinearSolver> solver; ///< refers to both

@@ -14,11 +14,12 @@ struct Eigenpair {
   dealii::LinearAlgebra::distributed::Vector<double> vector;
 };
 
-/// The eigenpair of smallest size of a symmetric matrix, by ARPACK on its inverse: @p solve
-/// replaces a vector by the inverse times it. @p start is without ghosts and should lack no
-/// eigenvector. Nothing where ARPACK does not converge.
+/// The eigenpair of smallest size of a matrix, by ARPACK on its inverse: @p solve replaces a vector
+/// by the inverse times it. @p start is without ghosts and should lack no eigenvector. Of a matrix
+/// that is not @p symmetric it is taken for real, as it is where it passes zero. Nothing where
+/// ARPACK does not converge.
 std::optional<Eigenpair> smallest_eigenpair(
     const std::function<void(dealii::LinearAlgebra::distributed::Vector<double>&)>& solve,
-    const dealii::LinearAlgebra::distributed::Vector<double>& start);
+    const dealii::LinearAlgebra::distributed::Vector<double>& start, bool symmetric = true);
 
 } // namespace thelma

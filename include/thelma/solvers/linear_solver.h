@@ -17,7 +17,7 @@ struct [[nodiscard]] LinearReport {
   bool solved;
   std::string reason;            ///< why not
   bool factorised = false;       ///< a new tangent
-  long long negative_pivots = 0; ///< of a symmetric factorisation
+  long long negative_pivots = 0; ///< of a factorisation; if unsymmetric, 1 where det < 0
   double cost = 1.; ///< of a new tangent, in iterations that reuse one; a count, not a time
   unsigned int iterations = 0; ///< of a Krylov method
 };
@@ -101,7 +101,8 @@ struct LinearProblem {
   unsigned int dimension = 3;
   unsigned long long unknowns = 0;
   double flatness = 1.; ///< longest over shortest edge of a cell, on average
-  bool is_symmetric = true, pressures_can_be_kept = false, needs_inertia = false;
+  bool is_symmetric = true, pressures_can_be_kept = false;
+  std::string counts_for; ///< entry of the scene that needs unstable directions; empty: none
 };
 
 /// Solves with one tangent after the other. A new solver is one file and one line in list.cc.
