@@ -74,7 +74,8 @@ def check_stretch(program, folder, row):
     case = program.run(
         "verification/thermo_electric_tube", folder,
         "--set", "Mesh/Parameters=n1: 4, n3: 6", "--set", "Expectations/Final values=",
-        "--set", "Output/Observables=lambda_1", "--set", "Observables/lambda_1/From=inner",
+        "--set", "Output/Observables=tip, centre, probe, lambda_1",
+        "--set", "Observables/lambda_1/From=inner",
         "--set", "Observables/lambda_1/To=outer", "--set", "Output/Fields=none")
     wanted = float(row["r_outer_mm"]) - float(row["r_inner_mm"])
     error = case.curve("lambda_1")["lambda_1"][-1] - wanted
