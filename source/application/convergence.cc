@@ -65,7 +65,7 @@ Convergence convergence(const std::vector<double>& values, const std::size_t giv
 {
   // Roache's factors of safety are 1.25 and, without a measured order, 3, which covers orders of
   // 0.6 on.
-  constexpr double share = 0.25, lowest_order = 0.5, no_order = 0.4;
+  constexpr double share = 0.25, lowest_order = 0.5;
   const double finest = values.back(), last = finest - values[values.size() - 2],
                before = values[1] - values[0];
   if (values.size() == 2)
@@ -81,7 +81,7 @@ Convergence convergence(const std::vector<double>& values, const std::size_t giv
   const double way = finest - values[given];
   if (before * last < 0.)
     return {way, share * std::abs(way) + (1. + share) * std::abs(left)};
-  return {way + left, share * std::abs(way + left), !(before * last > 0. && order < no_order)};
+  return {way + left, share * std::abs(way + left), !(before * last > 0. && order < lowest_order)};
 }
 
 std::vector<Result> results(const Outcome& outcome, const double newton_tolerance)
