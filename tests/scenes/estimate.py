@@ -209,19 +209,10 @@ def check_time(program, folder):
     judge("thermal wave", estimates(folder), {"probe_theta_K": wave(12, omega, 0.5)})
 
 
-def check_heated_bending(program, folder):
-    """Heated to the end, where it stands as the circle of 353 K."""
-    entries = {"Mesh/Parameters": "L: 20, H: 1, n1: 2, n3: 8", "Time/Tolerance": "0.5",
-               "Output/Fields": "none"}
-    program.run("heated_bending", folder, "--estimate", *settings(entries))
-    judge("heated bending, 2 x 8", estimates(folder),
-          {"mid_rotation_deg": exact_mid_rotation(program.source, 1.8e-4, 353.0, 0.75)})
-
-
 def main():
     program, ranks = program_and_ranks(__doc__)
     side_by_side(program, (check_bending, ranks), (check_time,), (check_singular,), (check_tube,),
-                 (check_balloon,), (check_coarser,), (check_heated_bending,), (check_homogeneous,))
+                 (check_balloon,), (check_coarser,), (check_homogeneous,))
 
 
 main()
