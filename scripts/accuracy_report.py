@@ -4,7 +4,7 @@ import math
 import re
 
 import accuracy_steps
-from accuracy_cases import HALVED, MEAN, ORDER_AT, PEER_PROGRAMS, PEER_TO, PEERS, halved
+from accuracy_cases import HALVED, MEAN, REDUCED, ORDER_AT, PEER_PROGRAMS, PEER_TO, PEERS, halved
 from accuracy_table import THELMA, choose, observed_orders, select
 
 BEGIN, END = "<!-- accuracy: written by scripts/accuracy -->", "<!-- accuracy: end -->"
@@ -86,7 +86,8 @@ def recommendations(rows):
     """Settings by goal and tolerance."""
     lines = []
     for name, scene, e in GOALS:
-        chosen = [choose(solved(rows, scene, e), tolerance) for tolerance in TOLERANCES]
+        reliable = [row for row in solved(rows, scene, e) if row.formulation != REDUCED]
+        chosen = [choose(reliable, tolerance) for tolerance in TOLERANCES]
         lines.append([name, *(setting(row) if row else "none measured" for row in chosen)])
     return lines
 
@@ -239,7 +240,8 @@ def document(rows, about):
     about_pump = "The pump is\nnot in this table yet." if math.isnan(pump) else PUMP.format(pump)
     part = [HEAD.format(**about, pump=about_pump, warning=WARNING if busy else "")]
     part += ["## Cheapest setting\n", "One rank; a mesh counts only if the finer ones of its "
-             "family are as good.\n",
+             "family are as good. Selective reduction, the paper's, is no choice: under strong fields it\nis "
+             "unstable where the body is not ([elements.md](elements.md)).\n",
              markdown(["error below", *map(percent, TOLERANCES)], recommendations(rows))]
     measured = any(select(rows, program=name) for name in PEER_PROGRAMS)
     part += ["## Against the strongest peer\n",
