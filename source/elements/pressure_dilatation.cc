@@ -219,7 +219,8 @@ double PressureDilatation<dim>::stabilisation(const CellView<dim>& view) const
       const double pressure =
           std::inner_product(modes[q].begin(), modes[q].begin() + n_modes, view.internal, 0.);
       const double most = part * material.thermal.volumetric(dilatation, points.theta(q)).dp_dJ;
-      needed = std::max(needed, needed_stabilisation(material, points.state(q), pressure, most));
+      needed =
+          std::max(needed, needed_stabilisation(material, points.state(q), pressure, dim, most));
     }
   });
   return needed;

@@ -1,8 +1,8 @@
 #include <thelma/elements/stabilisation.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
 namespace thelma
 {
@@ -38,19 +38,21 @@ double surface_factor(const double q)
   return (q * q * q + q * q + 3. * q - 1.) / ((q + 1.) * (q * q + 3.));
 }
 
-/// Directions of waves along a film with normal @p m, 45 degrees apart.
-std::array<Vector, 4> directions(const Vector& m)
+/// Directions of waves along a film with normal @p m: in space four, 45 degrees apart.
+std::vector<Vector> directions(const Vector& m, const int dim)
 {
-  Vector s = dealii::cross_product_3d(unit_vector(std::abs(m[1]) < 0.7 ? 1 : 0), m);
+  Vector s = dealii::cross_product_3d(unit_vector(dim == 2 || std::abs(m[1]) < 0.7 ? 1 : 0), m);
   s /= s.norm();
+  if (dim == 2)
+    return {s};
   const Vector t = dealii::cross_product_3d(m, s);
-  return {{s, t, (s + t) / std::sqrt(2.), (s - t) / std::sqrt(2.)}};
+  return {s, t, (s + t) / std::sqrt(2.), (s - t) / std::sqrt(2.)};
 }
 
 } // namespace
 
 double needed_stabilisation(const Material& material, const PointState<>& state,
-                            const double pressure, const double most)
+                            const double pressure, const int dim, const double most)
 {
   constexpr double weak = 0.5; // below all X_0/mu
   const Kinematics<> kin(state.F);
@@ -63,7 +65,7 @@ double needed_stabilisation(const Material& material, const PointState<>& state,
   const Vector m = g / field, M = m * state.F;
   const double X = (M * (d.dD_dE * M)) * field * field, B = modulus(d, state.F, m, m) + X;
   double needed = 0.;
-  for (const Vector& s : directions(m)) {
+  for (const Vector& s : directions(m, dim)) {
     const double A = modulus(d, state.F, s, s), C = modulus(d, state.F, s, m) + pressure * kin.J;
     const double r = surface_factor((s * state.F).norm() * (m * kin.G).norm());
     const double X_0 = r * (B - C * C / A), X_1 = r * (A + B - 2. * C);

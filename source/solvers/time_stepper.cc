@@ -52,7 +52,7 @@ double TimeStepper::next()
 bool TimeStepper::accept(const std::optional<StepError>& error)
 {
   constexpr double safety = 0.9, least = 0.2, most = 2., unknown = 0.5;
-  double factor = tolerance == 0. ? 1. : unknown;
+  double factor = tolerance == 0. ? most : unknown; // after a cut, back to the first length
   if (tolerance > 0. && error)
     factor = std::clamp(
         safety * std::pow(tolerance / std::max(error->value, 1e-300), 1. / (error->order + 1)),
@@ -62,7 +62,8 @@ bool TimeStepper::accept(const std::optional<StepError>& error)
   if (accepted)
     time = trial;
   // A step that only met a stop says nothing against longer ones.
-  size = accepted ? std::min(std::max(factor * taken, factor >= 1. ? size : 0.), largest)
+  const double longest = tolerance == 0. ? std::min(initial, largest) : largest;
+  size = accepted ? std::min(std::max(factor * taken, factor >= 1. ? size : 0.), longest)
                   : std::min(factor, 0.8) * taken;
   return accepted;
 }

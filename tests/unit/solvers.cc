@@ -7,9 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -236,6 +238,29 @@ TEST(ArcStepper, GrowsAgainAfterAFailure)
   for (int n = 0; n < 20; ++n)
     stepper.cut_back();
   EXPECT_TRUE(stepper.exhausted());
+}
+
+/// Steps of one length are that long again after one that had to be cut, and meet the stops.
+TEST(TimeStepper, ReturnsToItsLengthAfterACut)
+{
+  dealii::ParameterHandler prm;
+  TimeStepper stepper;
+  stepper.declare(prm);
+  prm.parse_input_from_string("subsection Time\nset End = 10\nset Initial step = 1\n"
+                              "set Tolerance = 0\nset Stops = 0.5, 4.25\nend\n");
+  stepper.start({});
+  EXPECT_EQ(stepper.next(), 0.5);
+  stepper.cut_back();
+  std::vector<double> times;
+  while (!stepper.finished()) {
+    times.push_back(stepper.next());
+    stepper.accept({});
+  }
+  EXPECT_EQ(times.front(), 0.125);
+  for (const double stop : {0.5, 4.25, 10.})
+    EXPECT_EQ(std::count(times.begin(), times.end(), stop), 1) << stop;
+  EXPECT_LT(times.size(), 16u);
+  EXPECT_EQ(stepper.step(), 1.);
 }
 
 /// Decay, x' = -x, x(0) = 1, by backward Euler, x(t) = 1/(1 + t): the first step is cut until its
