@@ -75,12 +75,7 @@ def check_stretch(program, folder, row):
         "verification/thermo_electric_tube", folder,
         "--set", "Mesh/Parameters=n1: 4, n3: 6", "--set", "Expectations/Final values=",
         "--set", "Output/Observables=tip, centre, probe, lambda_1",
-<<<<<<< HEAD
-        "--set", "Observables/lambda_1/From=inner",
-        "--set", "Observables/lambda_1/To=outer", "--set", "Output/Fields=none")
-=======
         "--set", "Observables/lambda_1/From=inner", "--set", "Observables/lambda_1/To=outer", "--set", "Output/Fields=none")
->>>>>>> wt-est
     wanted = float(row["r_outer_mm"]) - float(row["r_inner_mm"])
     error = case.curve("lambda_1")["lambda_1"][-1] - wanted
     print(f"mean stretch of the wall: {error:.1e} off")
