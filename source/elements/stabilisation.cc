@@ -69,10 +69,10 @@ double needed_stabilisation(const Material& material, const PointState<>& state,
     const double A = modulus(d, state.F, s, s), C = modulus(d, state.F, s, m) + pressure * kin.J;
     const double r = surface_factor((s * state.F).norm() * (m * kin.G).norm());
     const double X_0 = r * (B - C * C / A), X_1 = r * (A + B - 2. * C);
-    if (X >= X_1)
-      return most;
-    const double excess = std::max(0., X - X_0);
-    needed = std::max(needed, 2. * (1. + 4. * excess / mu) * A * excess / (X_1 - X));
+    const double excess = std::max(0., X - X_0), enough = 1000. * mu + 10. * A;
+    const double safety = std::min(2. + 8. * excess / mu, 20.);
+    const double wanted = safety * A * excess / (X_1 - X);
+    needed = std::max(needed, X < X_1 ? std::min(wanted, enough) : enough);
   }
   return std::min(most, needed / (kin.J * kin.J));
 }
