@@ -73,6 +73,8 @@ def plane_or_not(rng):
 def case(rng, element):
     """A film in one of five ways, below an instability or up to one."""
     how, film, cells = plane_or_not(rng)
+    if how == "held":  # where linear elements end elsewhere, and are not recommended: doc/elements.md
+        element = element if element[1] == 2 else ("mean dilatation", 2)
     m, drawn = film.material, Drawn(film, cells)
     past = rng.random() < 0.6 and drawn.wave < 0.98 * drawn.cap
     voltage = drawn.wave * float(rng.uniform(1.1, 3)) if past else \

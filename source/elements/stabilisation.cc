@@ -70,7 +70,7 @@ double needed_stabilisation(const Material& material, const PointState<>& state,
     const double r = surface_factor((s * state.F).norm() * (m * kin.G).norm());
     const double X_0 = r * (B - C * C / A), X_1 = r * (A + B - 2. * C);
     const double excess = std::max(0., X - X_0), enough = 1000. * mu + 10. * A;
-    const double safety = std::min(2. + 8. * excess / mu, 20.);
+    const double safety = std::min(2. + 8. * excess / mu, 12.);
     const double wanted = safety * A * excess / (X_1 - X);
     needed = std::max(needed, X < X_1 ? std::min(wanted, enough) : enough);
   }
