@@ -143,13 +143,15 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::solve(const Plane& pla
   return examine(plane, found) ? Solution(found) : Solution();
 }
 
-/// Near a bifurcation noise hardly shows in the residual: the fresh tangent also corrects once
-/// more, unless it is so near that this itself makes noise.
+/// What is counted is the state with the stabilisation that it needs itself, not the one of its
+/// guess. Near a bifurcation noise hardly shows in the residual: the fresh tangent also corrects
+/// once more, unless it is so near that this itself makes noise.
 template <int dim>
 bool PathFollowing<dim>::examine(const Plane& plane, PathState& found)
 {
   constexpr double noise = 10.; // more than rounding changes a residual
   BorderedSystem bordered(system, plane);
+  system.begin();
   const double before = bordered.residual().norm;
   const LinearReport fresh = bordered.linear_solve(false);
   failure = fresh.reason;
@@ -165,7 +167,8 @@ bool PathFollowing<dim>::examine(const Plane& plane, PathState& found)
   if (residual.norm > noise * before) {
     bordered.move_to(0.);
     residual = bordered.residual();
-  }
+  } else
+    spent.add(newton.refine(bordered, newton.converged_residual()));
   found.report.residuals.push_back(residual.norm);
   found.report.min_det_F = residual.min_det_F;
   ++found.report.iterations;

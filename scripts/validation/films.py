@@ -203,8 +203,10 @@ def compare_path(run, drawn, element, verdict):
         if any(row == at for _, at in events):
             continue  # the count of either side
         verdict.value("field on the unstable branch", run.curve["voltage_kV"][row], E, 1e-7)
-        count = waves.count(y, E)
-        said = run.curve["unstable_directions"][row]
-        if (said != count) if element[1] == 2 else (not said):
-            verdict.disagreements.append(f"{said:.0f} unstable directions for {count} at lambda_3 {y[-1]:.5f}")
+        count, said = waves.count(y, E), run.curve["unstable_directions"][row]
+        # A softer element may already see what full integration sees on a finer mesh.
+        most = count if said <= count else Waves(film, [2 * n for n in drawn.cells]).count(y, E)
+        if not (count <= said <= most if element[1] == 2 else said):
+            verdict.disagreements.append(
+                f"{said:.0f} unstable directions for {count} to {most} at lambda_3 {y[-1]:.5f}")
             break

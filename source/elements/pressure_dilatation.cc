@@ -1,9 +1,6 @@
 #include <thelma/elements/pressure_dilatation.h>
 #include <thelma/elements/stabilisation.h>
 
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/lac/full_matrix.h>
-
 #include <numeric>
 
 namespace thelma
@@ -104,25 +101,6 @@ void PressureDilatation<dim>::use(const FieldLayout<dim>& layout, const unsigned
 }
 
 template <int dim>
-std::vector<dealii::Point<dim>> PressureDilatation<dim>::points(const unsigned int n_points)
-{
-  return dealii::QGauss<dim>(n_points).get_points();
-}
-
-template <int dim>
-std::vector<Modes> PressureDilatation<dim>::polynomials(const unsigned int n_points,
-                                                        const unsigned int n_modes)
-{
-  std::vector<Modes> values;
-  for (const auto& point : points(n_points)) {
-    values.push_back({{1.}});
-    for (unsigned int i = 1; i < n_modes; ++i)
-      values.back()[i] = 2. * point[i - 1] - 1.;
-  }
-  return values;
-}
-
-template <int dim>
 unsigned int PressureDilatation<dim>::n_elimination() const
 {
   return n_modes * n_modes + 1 + (dim + (has_temperature ? 2 : 0)) * block_size();
@@ -183,24 +161,6 @@ void PressureDilatation<dim>::tangent(const CellView<dim>& view, CellResult& res
     add_heat(view, own, true, result);
   });
   result.blocks.write(result.tangent);
-}
-
-/// Without the part of the stabilisation, whose mean over the cell is zero.
-template <int dim>
-double PressureDilatation<dim>::pressure(const CellView<dim>& view, const dealii::Point<dim>& xi,
-                                         const PointState<>&) const
-{
-  const Modes m = modes_at(xi);
-  return std::inner_product(m.begin(), m.begin() + n_modes, view.internal, 0.);
-}
-
-template <int dim>
-Modes PressureDilatation<dim>::modes_at(const dealii::Point<dim>& xi) const
-{
-  Modes values{{1.}};
-  for (unsigned int i = 1; i < n_modes; ++i)
-    values[i] = 2. * xi[i - 1] - 1.;
-  return values;
 }
 
 /// The largest need of its points. Not quite the whole bulk modulus, so that the answer of the mean
@@ -291,33 +251,6 @@ void PressureDilatation<dim>::add_condensed(const CellView<dim>& view,
                   result);
   if (view.solves_temperature())
     add_product(B, 0, dim, M, B + dim * block_size(), n_c - 1, result);
-}
-
-template <int dim>
-Modes PressureDilatation<dim>::times(const ModeMatrix& A, const Modes& x) const
-{
-  Modes y{};
-  for (unsigned int i = 0; i < n_modes; ++i)
-    for (unsigned int j = 0; j < n_modes; ++j)
-      y[i] += A[i][j] * x[j];
-  return y;
-}
-
-template <int dim>
-typename PressureDilatation<dim>::ModeMatrix
-PressureDilatation<dim>::invert_mass(const PointGeometry<dim>* geometry) const
-{
-  dealii::FullMatrix<double> mass(n_modes, n_modes);
-  for (std::size_t q = 0; q < modes.size(); ++q)
-    for (unsigned int i = 0; i < n_modes; ++i)
-      for (unsigned int j = 0; j < n_modes; ++j)
-        mass(i, j) += geometry[q].JxW * modes[q][i] * modes[q][j];
-  mass.gauss_jordan();
-  ModeMatrix inverse{};
-  for (unsigned int i = 0; i < n_modes; ++i)
-    for (unsigned int j = 0; j < n_modes; ++j)
-      inverse[i][j] = mass(i, j);
-  return inverse;
 }
 
 template class PressureDilatation<2>;

@@ -7,13 +7,11 @@ Against exact homogeneous states, and the energy balance to the second order of 
 
 import math
 import subprocess
-import tempfile
-from pathlib import Path
 
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
-from scene import program_and_ranks, require, settings, validated
+from scene import program_and_ranks, require, settings, side_by_side, validated
 import constant_charge
 import planar_exact
 
@@ -40,7 +38,6 @@ HEIGHTS, SIDE = (0.3, 0.5, 0.2), 2.0  # mm
 def check_stack(program, folder, ranks):
     """Two electrodes without charge between three layers whose sides are held: the applied voltage is
     that of the curve, and the charge that of the electrode which has it."""
-    folder.mkdir()
     (folder / "layers.geo").write_text(THREE_LAYERS)
     material, target = planar_exact.Material(), 12.0
     curve = program.run("planar_actuator", folder / "run", *settings(
@@ -76,7 +73,6 @@ def check_stack(program, folder, ranks):
 
 def check_beside_another(program, folder):
     """One of two electrodes is cut off: the voltage is that of the other, which is still driven."""
-    folder.mkdir()
     (folder / "layers.geo").write_text(THREE_LAYERS)
     curve = program.run("planar_actuator", folder / "run", *settings(
         {"Mesh/File": str(folder / "layers.geo"), "Mesh/Parameters": "", "Loading/Target": "0.3",
@@ -172,13 +168,8 @@ def check_refused(program, folder):
 def main():
     """The stack on every number of ranks."""
     program, all_ranks = program_and_ranks(__doc__)
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        for ranks in all_ranks:
-            check_stack(program, folder / f"stack_{ranks}", ranks)
-        for check in (check_beside_another, check_static, check_generator, check_cut_off,
-                      check_refused):
-            check(program, folder / check.__name__)
+    side_by_side(program, *((check_stack, ranks) for ranks in all_ranks), (check_beside_another,),
+                 (check_static,), (check_generator,), (check_cut_off,), (check_refused,))
 
 
 main()

@@ -7,10 +7,8 @@ And that runs which cannot count unstable directions do not take entries that ne
 """
 
 import subprocess
-import tempfile
-from pathlib import Path
 
-from scene import program_and_ranks, require, settings, validated
+from scene import program_and_ranks, require, settings, side_by_side, validated
 import planar_exact
 import strip_stability
 
@@ -91,13 +89,8 @@ def check_refusals(program, folder):
 def main():
     """On every number of ranks."""
     program, all_ranks = program_and_ranks(__doc__)
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        for ranks in all_ranks:
-            check_bifurcations(program, folder / f"straight_{ranks}", ranks)
-        check_response(program, folder / "response")
-        check_rejection(program, folder / "rejection")
-        check_refusals(program, folder / "refused")
+    side_by_side(program, *((check_bifurcations, ranks) for ranks in all_ranks), (check_response,),
+                 (check_rejection,), (check_refusals,))
 
 
 main()

@@ -52,6 +52,9 @@ protected:
   /// The constant and, if @p n_modes is dim + 1, the coordinates on the cell, at these points.
   static std::vector<Modes> polynomials(unsigned int n_points, unsigned int n_modes);
 
+  /// They at any point of the reference cell.
+  static Modes polynomials_at(const dealii::Point<dim>& xi, unsigned int n_modes);
+
   /// The modes at any point of the reference cell.
   virtual Modes modes_at(const dealii::Point<dim>& xi) const;
 

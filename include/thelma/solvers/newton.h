@@ -128,6 +128,9 @@ public:
   /// rounding: to where differences between states nearby are known.
   NewtonEffort refine(NonlinearSystem& system, double residual) const;
 
+  /// The scaled residual of a state that has converged.
+  double converged_residual() const { return tolerance; }
+
 private:
   bool worth_reusing(const NewtonReport& report, const LinearReport& linear) const;
 
