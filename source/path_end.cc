@@ -48,7 +48,7 @@ template <int dim>
 ExaminedEnd examine_end(System<dim>& system, State& state, const Refusal refusal,
                         const double failed, const double farthest)
 {
-  constexpr double negligible = 0.5;
+  constexpr double negligible = 0.5, all = 0.95;
   ExaminedEnd end;
   end.limit = turning_load(system, state);
   const bool turns = end.limit < farthest;
@@ -56,14 +56,14 @@ ExaminedEnd examine_end(System<dim>& system, State& state, const Refusal refusal
     end.ending = PathEnding::limit_point;
   if (refusal != Refusal::unstable)
     return end;
-  // Nothing is found beyond a limit point, and the load does not push a body into the mode of a
-  // bifurcation.
+  // The load does not push a body into the mode of a bifurcation, and does into that of a limit
+  // point. Nothing is found beyond a limit point, but where it lies is foretold within the bracket.
   const bool has_mode = !std::isnan(system.critical_mode(end.mode));
   if (!has_mode)
     end.mode = {};
   const double share =
       has_mode ? std::abs(end.mode.block(0) * system.response()) / system.response().l2_norm() : 0.;
-  if (!turns || end.limit < failed || share < negligible)
+  if (!turns || share < (end.limit < failed ? all : negligible))
     end.ending = PathEnding::bifurcation;
   return end;
 }
