@@ -8,6 +8,7 @@ import subprocess
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import launch
 import study
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -131,8 +132,7 @@ def command(program, mpiexec, ranks):
     """How the program is started in the folder of the scene."""
     start = [str(program), "scene.prm", "--output", "run"]
     if ranks > 1:
-        start = [mpiexec, "--quiet", "-np", str(ranks), "--allow-run-as-root", "--oversubscribe",
-                 "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1", "--mca", "pml", "ob1", *start]
+        start = [*launch.on_ranks(mpiexec, ranks), *start]
     return start
 
 
