@@ -56,6 +56,6 @@ void prepare_process()
 
 } // namespace
 
-Process::Process(char* name) : names{name, nullptr}, mpi((prepare_process(), argc), argv, 1) {}
+Process::Process(char* name) : names{{name, nullptr}}, mpi((prepare_process(), argc), argv, 1) {}
 
 } // namespace thelma
