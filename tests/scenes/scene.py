@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-import launch  # noqa: E402
 import study  # noqa: E402
+from launch import sentences, on_ranks  # noqa: E402, F401
 
 
 @dataclass
@@ -27,7 +27,7 @@ class Program:
         """The command line that starts the program on so many ranks."""
         command = [str(Path(self.binary).resolve()), *arguments]
         if ranks > 1:
-            command = [*launch.on_ranks(self.mpiexec, ranks), *command]
+            command = [*on_ranks(self.mpiexec, ranks), *command]
         return command
 
     def run(self, scene, output, *options, ranks=1, exit_code=0):
