@@ -13,8 +13,8 @@ def on_ranks(mpiexec, ranks):
 
 
 def sentences(text):
-    """The lines of standard error that are the program's, without what Open MPI adds: between two rules of dashes
-    after a rank's exit code (5 is never quiet), and of hwloc where /sys is not mounted."""
+    """The lines of standard error that are the program's, without what Open MPI adds: between two
+    rules of dashes after a rank's exit code (5 is never quiet), and of hwloc without /sys."""
     own = re.sub(r"^-{70,}\n.*?^-{70,}$", "", text, flags=re.DOTALL | re.MULTILINE)
     return [line for line in own.splitlines()
             if line.strip() and not line.startswith(("[hwloc/", "hwloc/"))]

@@ -14,6 +14,8 @@ except ImportError:
     raise plotting.PlotError("shapes need VTK for Python; on Debian install python3-vtk9 and use "
                              "/usr/bin/python3.") from None
 
+vtk.vtkLogger.SetStderrVerbosity(vtk.vtkLogger.VERBOSITY_WARNING)  # 9.3 tells of every edge
+
 CORNERS = {vtk.VTK_QUAD: 4, vtk.VTK_HEXAHEDRON: 8}
 
 

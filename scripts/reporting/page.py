@@ -20,10 +20,10 @@ SHOWN_FIRST = ("lambda_3", "tip_u1_mm", "centre_u1_mm", "mid_rotation_deg", "lam
 ABSCISSAS = ("e", "voltage_kV", "time_s", "load", "step")
 
 
-def html(directory, runs, shapes):
-    """The text of the page."""
+def html(directory, runs, shapes, not_drawn=""):
+    """The text of the page; `not_drawn` says why there are no shapes."""
     title = f"Thelma: {directory.resolve().name}"
-    sections = [summary(runs), curves(runs), gallery(runs, shapes), convergence(runs),
+    sections = [summary(runs), curves(runs), gallery(runs, shapes, not_drawn), convergence(runs),
                 estimates(runs), parameters(runs), timings(runs), provenance(directory, runs)]
     return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">\n'
             f'<meta name="viewport" content="width=device-width, initial-scale=1">\n'
@@ -155,8 +155,10 @@ def curves(runs):
     return section("Curves", hint + chart("curves", drawn, x, y, ' data-choose="yes"'))
 
 
-def gallery(runs, shapes):
-    """Deformed bodies."""
+def gallery(runs, shapes, not_drawn):
+    """Deformed bodies, or why there are none."""
+    if not_drawn:
+        return section("Deformed shapes", f"<p>Not drawn: {escape(not_drawn)}</p>")
     words = "Contact is not modelled: parts that would touch overlap."
     if any(run.plane for run in runs):
         words += (" Plane sections, which are in plane strain, are drawn as bars a fifth of their "

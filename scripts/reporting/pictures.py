@@ -24,7 +24,8 @@ def of_runs(runs):
     states = {run.label: bodies.load(run.case.directory, width(run)) for run in shown}
     name = field(states.values())
     values = np.concatenate([body.values(name) for body in states.values()])
-    scale = (float(values.min()), float(values.max()) or 1.0)
+    low, high = float(values.min()), float(values.max())
+    scale = (low, high if high > low else low + 1.0)
     result = {}
     with render.display():
         for run in shown:
