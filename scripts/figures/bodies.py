@@ -25,7 +25,7 @@ class Body:
 
     points: np.ndarray  # undeformed, (n, 3) in mm
     cells: np.ndarray  # (m, 8)
-    fields: dict  # name -> (n,) or (n, 3)
+    fields: dict  # name -> (n,), of vectors the magnitude, but of the displacement u (n, 3)
 
     @property
     def u(self):
@@ -71,18 +71,19 @@ def together(first, second):
     return joined(np.concatenate([first.points, second.points]), cells, fields)
 
 
-def last_file(folder):
-    """The newest field file of a run."""
+def state_file(folder, at=None):
+    """The field file of a run that is nearest to a load or, in time, second; without one the last."""
     text = study.existing(folder / "fields.pvd").read_text()
-    files = re.findall(r'file="([^"]+)"', text)
+    files = re.findall(r'timestep="([^"]+)".*?file="([^"]+)"', text)
     if not files:
         raise study.StudyError(f"{folder / 'fields.pvd'} names no file.")
-    return study.existing(folder / files[-1])
+    _, name = files[-1] if at is None else min(files, key=lambda file: abs(float(file[0]) - at))
+    return study.existing(folder / name)
 
 
-def load(folder, width=None):
-    """The last state of a run. A plane one, of x1 and x3, becomes a body of the given width."""
-    path = last_file(folder)
+def load(folder, width=None, at=None):
+    """A state of a run (state_file). A plane one, of x1 and x3, becomes a body of the given width."""
+    path = state_file(folder, at)
     reader = (vtk.vtkXMLPUnstructuredGridReader if path.suffix == ".pvtu"
               else vtk.vtkXMLUnstructuredGridReader)()
     reader.SetFileName(str(path))
@@ -97,6 +98,9 @@ def load(folder, width=None):
               for i in range(data.GetNumberOfArrays())}
     if "u" not in fields:
         raise plotting.PlotError(f"{path} has no displacement 'u'.")
+    for name, values in fields.items():
+        if name != "u" and values.ndim == 2:
+            fields[name] = np.linalg.norm(values, axis=1)
     points = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
     body = joined(points, cells, fields)
     return extruded(body, width or 1.0) if kind == vtk.VTK_QUAD else body
@@ -117,5 +121,5 @@ def extruded(plane, width):
 
     cells = np.concatenate([plane.cells, plane.cells + len(plane.points)], axis=1)
     fields = {name: np.concatenate([values, values]) for name, values in plane.fields.items()
-              if values.ndim == 1}
+              if name != "u"}
     return Body(sides(plane.points, width), cells, {**fields, "u": sides(plane.u)})
