@@ -153,6 +153,6 @@ def run(case, folder, program, mpiexec, timeout):
             code, said = TIMEOUT, process.communicate()[0] + f"\nnot done within {timeout} s"
     (folder / "log.txt").write_text(said)
     report, curve = folder / "run/run.json", folder / "run/curve.csv"
-    lines = [line.strip() for line in said.splitlines() if line.strip()] or [""]
+    lines = [line.strip() for line in launch.sentences(said)] or [""]
     return Run(code, json.loads(report.read_text()) if code != TIMEOUT and report.is_file() else {},
                study.read_columns(curve, ()) if code != TIMEOUT and curve.is_file() else {}, lines[-1])
