@@ -58,6 +58,13 @@ class Body:
             grid.GetPointData().AddArray(array)
         return grid
 
+    @staticmethod
+    def span(bodies, name):
+        """Range of a scalar field over several bodies, for colours: VTK ends the process at none."""
+        values = np.concatenate([body.values(name) for body in bodies])
+        low, high = float(values.min()), float(values.max())
+        return low, high if high > low else low + 1.0
+
     def values(self, name):
         """A scalar field by name; u1, u2, u3 are components of u."""
         return self.u[:, int(name[1]) - 1] if name in ("u1", "u2", "u3") else self.fields[name]

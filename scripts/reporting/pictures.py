@@ -28,9 +28,7 @@ def of_runs(runs, chosen, at):
     from figures import bodies, render  # VTK is needed from here on
     states = {run.label: bodies.load(run.case.directory, width(run), at) for run in shown}
     name = field(states.values(), chosen)
-    values = np.concatenate([body.values(name) for body in states.values()])
-    low, high = float(values.min()), float(values.max())
-    scale = (low, high if high > low else low + 1.0)
+    scale = bodies.Body.span(states.values(), name)
     result = {}
     with render.display():
         for run in shown:
