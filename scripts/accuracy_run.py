@@ -37,8 +37,8 @@ class Program:
         if not mpirun:
             raise AccuracyError("there is no mpirun on the PATH; install Open MPI.")
         root = ["--allow-run-as-root"] if os.geteuid() == 0 else []
-        return [mpirun, "--quiet", "--oversubscribe", *root, "--bind-to", "none", "-np",
-                str(ranks), *command]
+        return [mpirun, "--mca", "orte_execute_quiet", "1", "--oversubscribe", *root, "--bind-to",
+                "none", "-np", str(ranks), *command]
 
     def start(self, arguments, ranks=1):
         """(exit code, printed text, peak memory in MB of the largest process)."""

@@ -16,4 +16,4 @@ def require(*modules):
     if sys.executable != SYSTEM and os.access(SYSTEM, os.X_OK):
         os.execv(SYSTEM, [SYSTEM, *sys.argv])
     sys.exit(f"{Path(sys.argv[0]).name}: {sys.executable} has no {' and no '.join(missing)}; on "
-             f"Debian scripts/setup installs it for {SYSTEM}.")
+             f"Debian: apt-get install {' '.join(f'python3-{module}' for module in missing)}")

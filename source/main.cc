@@ -92,8 +92,7 @@ ExitCode run(const CommandLine& line, std::ostream& out)
 
 int main(int argc, char** argv)
 {
-  prepare_process();
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const Process process(argv[0]);
   const bool is_rank_0 = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   std::ostream silence(nullptr);
   try {

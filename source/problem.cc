@@ -250,7 +250,7 @@ template <int dim>
 std::string Problem<dim>::parameters() const
 {
   std::ostringstream text;
-  prm.print_parameters(text, dealii::ParameterHandler::Text |
+  prm.print_parameters(text, dealii::ParameterHandler::PRM |
                                  dealii::ParameterHandler::KeepDeclarationOrder);
   return text.str();
 }

@@ -35,7 +35,7 @@ def balloon(folder, path):
     states = shapes.load_states(folder / "figures/balloon")
     for state in states:
         body = state.body
-        outwards = body.points / np.linalg.norm(body.points, axis=1)[:, None]
+        outwards = body.points / np.maximum(np.linalg.norm(body.points, axis=1), 1e-9)[:, None]
         body.fields["u_r"] = np.sum(outwards * body.u, axis=1)
     scale = shapes.limits(states, "u_r")
 

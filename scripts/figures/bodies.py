@@ -14,6 +14,8 @@ except ImportError:
     raise plotting.PlotError("shapes need VTK for Python; on Debian install python3-vtk9 and use "
                              "/usr/bin/python3.") from None
 
+vtk.vtkLogger.SetStderrVerbosity(vtk.vtkLogger.VERBOSITY_WARNING)  # 9.3 tells of every edge
+
 CORNERS = {vtk.VTK_QUAD: 4, vtk.VTK_HEXAHEDRON: 8}
 
 
@@ -23,7 +25,7 @@ class Body:
 
     points: np.ndarray  # undeformed, (n, 3) in mm
     cells: np.ndarray  # (m, 8)
-    fields: dict  # name -> (n,) or (n, 3)
+    fields: dict  # name -> (n,), of vectors the magnitude, but of the displacement u (n, 3)
 
     @property
     def u(self):
@@ -56,6 +58,13 @@ class Body:
             grid.GetPointData().AddArray(array)
         return grid
 
+    @staticmethod
+    def span(bodies, name):
+        """Range of a scalar field over several bodies, for colours: VTK ends the process at none."""
+        values = np.concatenate([body.values(name) for body in bodies])
+        low, high = float(values.min()), float(values.max())
+        return low, high if high > low else low + 1.0
+
     def values(self, name):
         """A scalar field by name; u1, u2, u3 are components of u."""
         return self.u[:, int(name[1]) - 1] if name in ("u1", "u2", "u3") else self.fields[name]
@@ -69,18 +78,19 @@ def together(first, second):
     return joined(np.concatenate([first.points, second.points]), cells, fields)
 
 
-def last_file(folder):
-    """The newest field file of a run."""
+def state_file(folder, at=None):
+    """The field file of a run that is nearest to a load or, in time, second; without one the last."""
     text = study.existing(folder / "fields.pvd").read_text()
-    files = re.findall(r'file="([^"]+)"', text)
+    files = re.findall(r'timestep="([^"]+)".*?file="([^"]+)"', text)
     if not files:
         raise study.StudyError(f"{folder / 'fields.pvd'} names no file.")
-    return study.existing(folder / files[-1])
+    _, name = files[-1] if at is None else min(files, key=lambda file: abs(float(file[0]) - at))
+    return study.existing(folder / name)
 
 
-def load(folder, width=None):
-    """The last state of a run. A plane one, of x1 and x3, becomes a body of the given width."""
-    path = last_file(folder)
+def load(folder, width=None, at=None):
+    """A state of a run (state_file). A plane one, of x1 and x3, becomes a body of the given width."""
+    path = state_file(folder, at)
     reader = (vtk.vtkXMLPUnstructuredGridReader if path.suffix == ".pvtu"
               else vtk.vtkXMLUnstructuredGridReader)()
     reader.SetFileName(str(path))
@@ -95,6 +105,9 @@ def load(folder, width=None):
               for i in range(data.GetNumberOfArrays())}
     if "u" not in fields:
         raise plotting.PlotError(f"{path} has no displacement 'u'.")
+    for name, values in fields.items():
+        if name != "u" and values.ndim == 2:
+            fields[name] = np.linalg.norm(values, axis=1)
     points = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
     body = joined(points, cells, fields)
     return extruded(body, width or 1.0) if kind == vtk.VTK_QUAD else body
@@ -115,5 +128,5 @@ def extruded(plane, width):
 
     cells = np.concatenate([plane.cells, plane.cells + len(plane.points)], axis=1)
     fields = {name: np.concatenate([values, values]) for name, values in plane.fields.items()
-              if values.ndim == 1}
+              if name != "u"}
     return Body(sides(plane.points, width), cells, {**fields, "u": sides(plane.u)})

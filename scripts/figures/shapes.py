@@ -39,8 +39,7 @@ def load_states(folder, width=None):
 
 def limits(states, name, symmetric=False):
     """Range of a field over several states."""
-    values = np.concatenate([state.body.values(name) for state in states])
-    low, high = float(values.min()), float(values.max())
+    low, high = bodies.Body.span([state.body for state in states], name)
     return (-max(-low, high), max(-low, high)) if symmetric else (low, high)
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import plotting
 import stability
 from plotting import matplotlib
-from reporting import data
+from reporting import data, ends
 
 # The browser itself refuses whatever is not in the page.
 POLICY = ("default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; "
@@ -17,13 +17,14 @@ POLICY = ("default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inl
 HERE = Path(__file__).resolve().parent
 NOT_DRAWN = ("event",)
 SHOWN_FIRST = ("lambda_3", "tip_u1_mm", "centre_u1_mm", "mid_rotation_deg", "lambda_1")
+DRIVEN = {"voltage": "voltage_kV", "charge": "charge_uC"}
 ABSCISSAS = ("e", "voltage_kV", "time_s", "load", "step")
 
 
-def html(directory, runs, shapes):
-    """The text of the page."""
+def html(directory, runs, shapes, not_drawn=""):
+    """The text of the page; `not_drawn` says why there are no shapes."""
     title = f"Thelma: {directory.resolve().name}"
-    sections = [summary(runs), curves(runs), gallery(runs, shapes), convergence(runs),
+    sections = [summary(runs), curves(runs), final_values(runs), gallery(runs, shapes, not_drawn), convergence(runs),
                 estimates(runs), parameters(runs), timings(runs), provenance(directory, runs)]
     return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">\n'
             f'<meta name="viewport" content="width=device-width, initial-scale=1">\n'
@@ -138,15 +139,28 @@ def varies(drawn, name):
                for one in drawn)
 
 
+def observed(drawn):
+    """Columns that are results."""
+    return [name for one in drawn for name in one["columns"]
+            if "/" not in name and name not in (*ABSCISSAS, "theta_K")]
+
+
+def driven(runs, known):
+    """Columns of what Loading/Control drives, if that is not e."""
+    changed = next((run.changed for run in runs if run.changed), [])
+    control = next((value for entry, value, *_ in changed if entry == "Loading/Control"), "")
+    return [name for name in known if control in DRIVEN and name.endswith(DRIVEN[control])]
+
+
 def curves(runs):
     """Any column against any other."""
     drawn = series(runs)
     if not drawn:
         return ""
     known = {name: None for one in drawn for name in one["columns"]}
-    x = first_of([name for name in ("time_s", *ABSCISSAS) if varies(drawn, name)], known)
-    observed = [name for name in known if name not in (*ABSCISSAS, "theta_K")]
-    y = first_of((*SHOWN_FIRST, *observed), known)
+    x = first_of([name for name in ("time_s", *driven(runs, known), *ABSCISSAS)
+                  if varies(drawn, name)], known)
+    y = first_of((*SHOWN_FIRST, *observed(drawn)), known)
     hint = ("<p>Solid: stable. Dashed: unstable. Circle: limit point or pull-in; square: bifurcation. "
             "Drag to zoom, double-click to see everything, hover for numbers, click a run in the "
             "legend to hide it.</p>")
@@ -155,8 +169,23 @@ def curves(runs):
     return section("Curves", hint + chart("curves", drawn, x, y, ' data-choose="yes"'))
 
 
-def gallery(runs, shapes):
-    """Deformed bodies."""
+def final_values(runs):
+    """The last row of every run over what was swept."""
+    lasts = [(run.case.swept, {name: values[-1] for name, values in one["columns"].items()})
+             for run in runs if run.case.swept for one in series([run])]
+    drawn, x = ends.curves(lasts)
+    if not drawn:
+        return ""
+    drawn = [{**one, "color": color(i, len(drawn))} for i, one in enumerate(drawn)]
+    y = first_of((*SHOWN_FIRST, *observed(drawn)), drawn[0]["columns"])
+    return section("Final values", "<p>The last row of every run, however it ended, over what was "
+                   "swept.</p>" + chart("ends", drawn, x, y, ' data-choose="yes" data-marks="yes"'))
+
+
+def gallery(runs, shapes, not_drawn):
+    """Deformed bodies, or why there are none."""
+    if not_drawn:
+        return section("Deformed shapes", f"<p>Not drawn: {escape(not_drawn)}</p>")
     words = "Contact is not modelled: parts that would touch overlap."
     if any(run.plane for run in runs):
         words += (" Plane sections, which are in plane strain, are drawn as bars a fifth of their "

@@ -121,7 +121,7 @@ def column(rng, element):
         entries["Electrodes/Potential"] = "outer: 0, back: 1"
     else:
         entries.update({"Regions/Passive": "a, b", "Supports/Fixed": "root: u3, pin: u1",
-                        "Supports/Moved": f"end: u3 {-target!r}", "Loading/Stages": "move 1"})
+                        "Supports/Moved": f"end: u3 {float(-target)!r}", "Loading/Stages": "move 1"})
         del entries["Loading/Control"], entries["Loading/Target"]
     parameters = {"L": length, "ha": 0.5, "hb": 0.5, "na": n // 2, "nb": n // 2, "n3": n3}
     story = (f"column, {'charged' if charged else 'pushed'}, {length:g} mm, {draw.told(m)}, {n} x {n3} cells, to "

@@ -87,7 +87,7 @@ def case(rng, element):
                **(plane_entries() if how == "plane strain" else space_entries(film))}
     if follow:
         entries["Stepping/Continuation"] = "automatic"
-        entries["Loading/Until"] = f"{thickness(film)}: {0.85 * drawn.fold.stretches[2]!r}"
+        entries["Loading/Until"] = f"{thickness(film)}: {float(0.85 * drawn.fold.stretches[2])!r}"
     if how == "plane strain":
         mesh, region = LAYERS, {"a": m, "b": m}
         parameters = {"L": film.size[0], "ha": 0.5, "hb": 0.5, "na": cells[2], "nb": cells[2], "n3": cells[0]}
@@ -120,7 +120,7 @@ def space_entries(film):
     entries = {"Dimension": 3, "Supports/Fixed": "x1_min: u1, x2_min: u2, bottom: u3",
                "Electrodes/Potential": "bottom: 0, top: 1", "Output/Observables": "lambda_3",
                "Observables/lambda_3/From": "bottom", "Observables/lambda_3/To": "top"}
-    forces = [f"x{i + 1}_max: " + " ".join(repr(load * 5.0) if j == i else "0" for j in range(3))
+    forces = [f"x{i + 1}_max: " + " ".join(repr(float(load * 5.0)) if j == i else "0" for j in range(3))
               for i, load in enumerate(film.load) if load]
     stages = ["voltage 1"]
     if forces:
@@ -128,7 +128,7 @@ def space_entries(film):
         stages.insert(0, "force 1")
     if film.held[0]:
         entries["Supports/Moved"] = ", ".join(
-            f"x{i + 1}_max: u{i + 1} {5.0 * (stretch - 1)!r}" for i, stretch in enumerate(film.held))
+            f"x{i + 1}_max: u{i + 1} {float(5.0 * (stretch - 1))!r}" for i, stretch in enumerate(film.held))
         stages.insert(0, "move 1")
     entries["Loading/Stages"] = ", ".join(stages)
     return entries

@@ -66,7 +66,7 @@ def balloon(rng, element):
     n, nr = (2, 1) if element[1] == 2 else (3, 2)
     entries = {"Dimension": 3, "Mesh/Curved": "around the origin", "Temperature/Value": m.theta,
                "Supports/Fixed": "x1_min: u1, x2_min: u2, x3_min: u3",
-               "Electrodes/Potential": "outer: 0, inner: 1", "Loads/Pressure": f"inner: {pressure!r}",
+               "Electrodes/Potential": "outer: 0, inner: 1", "Loads/Pressure": f"inner: {float(pressure)!r}",
                "Loading/Control": "voltage", "Loading/Target": voltage, "Loading/Film thickness": thickness,
                "Loading/Stages": "pressure 1, voltage 1", "Loading/Expected end": "pull-in" if past else "target",
                **observables({"tip": "inner_end", "centre": "outer_end"})}

@@ -8,6 +8,7 @@ import subprocess
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import launch
 import study
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -131,8 +132,7 @@ def command(program, mpiexec, ranks):
     """How the program is started in the folder of the scene."""
     start = [str(program), "scene.prm", "--output", "run"]
     if ranks > 1:
-        start = [mpiexec, "--quiet", "-np", str(ranks), "--allow-run-as-root", "--oversubscribe",
-                 "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1", "--mca", "pml", "ob1", *start]
+        start = [*launch.on_ranks(mpiexec, ranks), *start]
     return start
 
 
@@ -153,6 +153,6 @@ def run(case, folder, program, mpiexec, timeout):
             code, said = TIMEOUT, process.communicate()[0] + f"\nnot done within {timeout} s"
     (folder / "log.txt").write_text(said)
     report, curve = folder / "run/run.json", folder / "run/curve.csv"
-    lines = [line.strip() for line in said.splitlines() if line.strip()] or [""]
+    lines = [line.strip() for line in launch.sentences(said)] or [""]
     return Run(code, json.loads(report.read_text()) if code != TIMEOUT and report.is_file() else {},
                study.read_columns(curve, ()) if code != TIMEOUT and curve.is_file() else {}, lines[-1])

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <initializer_list>
 
 /// There if the BLAS happens to be OpenBLAS.
@@ -31,7 +32,13 @@ void leave_out_of_open_mpi_what_one_process_does_without()
   setenv("OMPI_MCA_pml", "ob1", 0);
 }
 
-} // namespace
+/// Whether all ranks are on this computer, as far as mpirun says so.
+bool share_a_computer()
+{
+  const char *all = std::getenv("OMPI_COMM_WORLD_SIZE"),
+             *here = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+  return all != nullptr && here != nullptr && std::strcmp(all, here) == 0;
+}
 
 void prepare_process()
 {
@@ -41,6 +48,14 @@ void prepare_process()
     openblas_set_num_threads(1);
   if (!launched())
     leave_out_of_open_mpi_what_one_process_does_without();
+  else if (share_a_computer())
+    // Ranks that meet in memory need no network; some cannot be paired, which Open MPI 5 complains
+    // about.
+    setenv("OMPI_MCA_btl", "^tcp", 0);
 }
+
+} // namespace
+
+Process::Process(char* name) : names{{name, nullptr}}, mpi((prepare_process(), argc), argv, 1) {}
 
 } // namespace thelma

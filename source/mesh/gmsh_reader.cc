@@ -2,6 +2,7 @@
 #include <thelma/base/complaints.h>
 #include <thelma/base/memory.h>
 #include <thelma/mesh/gmsh_reader.h>
+#include <thelma/mesh/halving.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
@@ -127,7 +128,8 @@ void require_memory(const unsigned int refinements, const int dim)
                      as_text(std::round(machine_memory() / 1e9)) + " GB); refine less");
 }
 
-void generate(const std::string& file, const unsigned int refinements, const int dim)
+void generate(const std::string& file, const unsigned int refinements, const int dim,
+              const bool has_arcs)
 {
   std::vector<int> types;
   gmsh::model::mesh::getElementTypes(types);
@@ -136,7 +138,7 @@ void generate(const std::string& file, const unsigned int refinements, const int
     if (types.empty()) // a .msh brings its elements along
       gmsh::model::mesh::generate(dim);
     require_memory(refinements, dim);
-    for (unsigned int i = 0; i < refinements; ++i)
+    for (unsigned int i = 0; i < refinements && !has_arcs; ++i)
       gmsh::model::mesh::refine();
     problem = Gmsh::errors();
   } catch (const InputError&) {
@@ -255,7 +257,7 @@ void require_plane(const std::string& file, const CoarseMesh& mesh)
 }
 
 CoarseMesh read_here(const std::string& file, const std::map<std::string, double>& parameters,
-                     const unsigned int refinements, const int dim)
+                     const unsigned int refinements, const int dim, const std::string& around)
 {
   const Gmsh gmsh_session;
   open(file, "File");
@@ -263,7 +265,7 @@ CoarseMesh read_here(const std::string& file, const std::map<std::string, double
     set_parameters(file, parameters);
     open(file, "Parameters"); // what is wrong now was not without them
   }
-  generate(file, refinements, dim);
+  generate(file, refinements, dim, !around.empty());
   require_dimension(file, dim);
 
   CoarseMesh mesh;
@@ -295,20 +297,22 @@ CoarseMesh read_here(const std::string& file, const std::map<std::string, double
   drop_unused_vertices(mesh, dim);
   if (dim == 2)
     require_plane(file, mesh);
+  for (unsigned int i = 0; i < refinements && !around.empty(); ++i)
+    mesh = halved(mesh, around);
   return mesh;
 }
 
 } // namespace
 
 CoarseMesh read_gmsh(const std::string& file, const std::map<std::string, double>& parameters,
-                     const unsigned int refinements, const int dim)
+                     const unsigned int refinements, const int dim, const std::string& around)
 {
   std::error_code unreachable;
   if (!std::filesystem::is_regular_file(file, unreachable))
     throw InputError("section Mesh, entry 'File': there is no file '" + file +
                      "'; give a path from the working directory or from the parameter file");
   const auto pack = [&]() {
-    const CoarseMesh mesh = read_here(file, parameters, refinements, dim);
+    const CoarseMesh mesh = read_here(file, parameters, refinements, dim, around);
     std::ostringstream stream;
     boost::archive::binary_oarchive(stream) << mesh;
     return stream.str();

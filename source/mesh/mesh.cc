@@ -55,7 +55,8 @@ void Mesh<dim>::read(const std::string& folder)
                      "NAME.geo`");
   WholeMesh<dim> whole;
   on_rank_0(communicator(), [&]() {
-    whole = WholeMesh<dim>(read_gmsh(path(folder), parameters, refinements, dim));
+    const std::string around = is_curved() ? curved.substr(std::string("around ").size()) : "";
+    whole = WholeMesh<dim>(read_gmsh(path(folder), parameters, refinements, dim, around));
     if (imperfection != 0. || !imperfection_shape.empty())
       whole.displace(imperfection, imperfection_shape);
     table = whole.table();

@@ -6,6 +6,7 @@
 
 #include <cstring>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace thelma
@@ -77,7 +78,8 @@ public:
 
   void remember(const std::vector<double>& numbers) override
   {
-    std::memcpy(&sums, numbers.data(), sizeof(Sums));
+    static_assert(std::is_trivially_copyable_v<Sums>);
+    std::memcpy(static_cast<void*>(&sums), numbers.data(), sizeof(Sums));
     std::size_t k = sizeof(Sums) / sizeof(double);
     begun = numbers[k++] != 0.;
     for (electrodes.clear(); k < numbers.size(); k += 2)

@@ -10,7 +10,7 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from scene import program_and_ranks, require
+from scene import sentences, program_and_ranks, require
 
 TETRAHEDRA = """SetFactory("OpenCASCADE");
 Box(1) = {0, 0, 0, 5, 5, 1};
@@ -384,16 +384,11 @@ def complaint(program, options, ranks):
     """Exit code and standard error of a run that is expected to fail at once."""
     command = program.command(options, ranks)
     # Or mpirun waits for a second after the first rank that ends.
-    environment = {**os.environ, "OMPI_MCA_odls_base_sigkill_timeout": "0"}
+    environment = {**os.environ, "OMPI_MCA_odls_base_sigkill_timeout": "0",
+                   "PRTE_MCA_odls_base_sigkill_timeout": "0"}
     done = subprocess.run(command, cwd=program.source, capture_output=True, text=True,
                           env=environment, check=False, timeout=60)
     return done.returncode, done.stderr
-
-
-def sentences(text):
-    """The lines of standard error that are the program's."""
-    # Open MPI's hwloc speaks up where /sys is not mounted.
-    return [line for line in text.splitlines() if line.strip() and not line.startswith("[hwloc/")]
 
 
 def check_several(program, folder, all_ranks):

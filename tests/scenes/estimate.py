@@ -202,7 +202,7 @@ def check_time(program, folder):
                   estimates(folder), {"probe_theta_K": mid_temperature(1.2)})
     omega = 2 * math.pi / 1.5
     entries = {"Time/End": "12", "Time/Initial step": "0.1", "Time/Tolerance": "0",
-               "Time/Wall amplitude": f"sin({omega!r}*t)", "Temperature/Fixed": "bottom: 313",
+               "Time/Wall amplitude": f"sin({float(omega)!r}*t)", "Temperature/Fixed": "bottom: 313",
                "Mesh/Parameters": "L1: 0.1, L2: 0.1, L3: 0.5, n1: 1, n2: 1, n3: 3",
                "Output/Fields": "none"}
     program.run("verification/slab_heating", folder, "--estimate", *settings(entries))

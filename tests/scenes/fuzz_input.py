@@ -12,7 +12,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from scene import program_and_ranks, require
+from scene import sentences, program_and_ranks, require
 
 LIMIT = 60  # s; a sound one takes a third of a second
 SEED = 3
@@ -86,8 +86,7 @@ def verdict(program, arguments, name):
                               timeout=LIMIT)
     except subprocess.TimeoutExpired:
         return f"{name}: no end within {LIMIT} s", False
-    lines = [line for line in done.stderr.decode(errors="replace").splitlines()
-             if line.strip() and not line.startswith("[hwloc/")]
+    lines = sentences(done.stderr.decode(errors="replace"))
     if done.returncode == 0 and not lines:
         return "", False
     sentences = all(line.startswith("thelma: ") and "internal error" not in line for line in lines)

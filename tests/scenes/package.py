@@ -5,6 +5,7 @@ Usage: package.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
 
 import os
 import re
+import shutil
 import subprocess
 import tempfile
 from pathlib import Path
@@ -28,9 +29,28 @@ def completions(script, binary, *words):
     return done.stdout.split("\n")[:-1]
 
 
+def check_links(folder):
+    """Every link of a document to another file."""
+    documents = list(folder.rglob("*.md"))
+    for document in documents:
+        text = re.sub(r"```.*?```", "", document.read_text(), flags=re.DOTALL)
+        for link in re.findall(r"\]\((?!https?:|#)([^)\s#]+)", text):
+            require((document.parent / link).exists(), f"{document.relative_to(folder)} links to {link}")
+    require(len(documents) > 10, f"{len(documents)} documents")
+
+
+def check_tools(source):
+    """What cpack reads first: it stops where a tool is missing."""
+    done = subprocess.run([shutil.which("cmake"), "-P", source / "package/tools.cmake"], text=True,
+                          capture_output=True, check=False, env={"PATH": "/nowhere"})
+    require(done.returncode != 0 and "install" in done.stderr and "file dpkg-dev" in done.stderr,
+            f"not a word of the missing tools: {done.stderr}")
+
+
 def main():
     """Installs into a folder and uses what is there."""
     program, _ = program_and_ranks(__doc__)
+    check_tools(program.source)
     build = Path(program.binary).resolve().parents[1]
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -42,8 +62,10 @@ def main():
 
         subprocess.run([binary, scene, "--output", folder / "run"], check=True,
                        stdout=subprocess.DEVNULL)
-        subprocess.run([folder / "bin/thelma-report", folder / "run", "--no-shapes"], check=True)
-        require((folder / "run/report.html").is_file(), "no report")
+        subprocess.run([folder / "bin/thelma-report", folder / "run"], check=True)
+        page = (folder / "run/report.html").read_text()
+        require("data:image/png;base64," in page or "Not drawn: " in page, "no pictures, and no reason")
+        check_links(share / "doc")
 
         known = options_in(subprocess.run([binary, "--help"], capture_output=True, text=True,
                                           check=True).stdout)

@@ -11,7 +11,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from scene import program_and_ranks, require
+from scene import program_and_ranks, require, study
 
 SCRIPT = str(Path(__file__).resolve().parents[2] / "scripts/report")
 
@@ -57,6 +57,8 @@ def check(browser, folder, curves, dashed):
     addresses = set(re.findall(r"https?://[^\"'\s)]+", text)) - {"http://www.w3.org/2000/svg"}
     require(not addresses, f"the page names {addresses}")
     require("data:image/png;base64," in text, "there is no deformed shape")
+    if browser is None:
+        return
     page = folder / "used.html"
     page.write_text(text.replace("</body>", ACTIONS + "</body>"))
     document, console = browse(browser, page)
@@ -87,6 +89,39 @@ def check_bad_case(program, folder):
     require("not begun: Temperature = -5." in text, "not a word of the bad case")
 
 
+def chart_data(text, identity):
+    """What the script of the page draws there."""
+    found = re.search(rf'data-for="{identity}">(.*?)</script>', text)
+    require(found, f"there is no chart of {identity}")
+    return json.loads(found[1])
+
+
+def check_final_values(folder):
+    """Over the entry that was swept, as the last rows of the curves say."""
+    data = chart_data((folder / "report.html").read_text(), "ends")
+    require(data["x"] == "Temperature/Value", f"drawn over {data['x']}")
+    columns = data["series"][0]["columns"]
+    require(columns["Temperature/Value"] == [293, 353], f"over {columns['Temperature/Value']}")
+    tips = [float(study.read_columns(path / "curve.csv", ("tip_u1_mm",))["tip_u1_mm"][-1])
+            for path in sorted(folder.glob("*=*"))]
+    require(columns["tip_u1_mm"] == tips, f"{columns['tip_u1_mm']} for {tips}")
+
+
+def check_colours(folder):
+    """Another field, one that does not exist, and no display to draw on."""
+    subprocess.run([SCRIPT, str(folder), "--field", "phi"], check=True)
+    require(re.search(r"colours: phi from 0 .* kV", (folder / "report.html").read_text()), "no phi")
+    done = subprocess.run([SCRIPT, str(folder), "--field", "psi"], capture_output=True, text=True, check=True)
+    require("'psi'; known: D, E, J, P, phi," in done.stderr, done.stderr)
+    with tempfile.TemporaryDirectory() as bare:
+        (Path(bare) / "python3").symlink_to(sys.executable)
+        for display, words in ((None, "need an X display or Xvfb"), (":987", "DISPLAY")):
+            environment = {"PATH": bare, **({"DISPLAY": display} if display else {})}
+            subprocess.run([SCRIPT, str(folder)], check=True, env=environment, stderr=subprocess.DEVNULL)
+            text = (folder / "report.html").read_text()
+            require("Not drawn: " in text and words in text, f"not a word of {words}")
+
+
 def check_narrow_bracket(folder):
     """The ends of a bracket can be told apart."""
     path = next(folder.glob("*=273/run.json"))
@@ -115,16 +150,19 @@ def check_pressure(program, folder):
     """Where only a pressure changes, the curves are drawn against the load."""
     program.run("balloon", folder, "--set", "Loading/Stages=pressure 0.5", "--set",
                 "Expectations/Final values=")
-    require('"x": "load"' in page_of(folder), "not drawn against the load")
+    require(chart_data(page_of(folder), "curves")["x"] == "load", "not drawn against the load")
+
+
+def check_control(program, folder):
+    """Where the charge is driven, the curves are drawn against it."""
+    program.run("hard/charge_control", folder)
+    require(chart_data(page_of(folder), "curves")["x"].endswith("charge_uC"), "not against the charge")
 
 
 def main():
     """A path through instabilities, a study, a run with estimates."""
     program, _ = program_and_ranks(__doc__)
     browser = shutil.which("chromium")
-    if browser is None:
-        print("SKIPPED: no chromium")
-        sys.exit(77)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         program.run("hard/pull_in_loop", folder / "path")
@@ -134,6 +172,8 @@ def main():
         program.run("bending_actuator_plane", folder / "study", "--sweep",
                     "Temperature/Value=293,353", "--set", "Output/Fields=last")
         check(browser, folder / "study", 2, False)
+        check_final_values(folder / "study")
+        check_colours(folder / "study")
         program.run("bending_actuator_plane", folder / "estimate", "--estimate", "--set",
                     "Loading/Target=0.3")
         check(browser, folder / "estimate", 1, False)
@@ -145,6 +185,10 @@ def main():
         check_narrow_bracket(folder / "bad")
         check_killed(folder / "bad")
         check_pressure(program, folder / "pressure")
+        check_control(program, folder / "charge")
+    if browser is None:
+        print("SKIPPED: no Chromium to load the pages; all else is as it should be")
+        sys.exit(77)
 
 
 main()

@@ -2,6 +2,7 @@
 
 import contextlib
 import io
+import multiprocessing
 import subprocess
 import sys
 import tempfile
@@ -11,6 +12,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
 import study  # noqa: E402
+from launch import sentences, on_ranks  # noqa: E402, F401
 
 
 @dataclass
@@ -25,11 +27,7 @@ class Program:
         """The command line that starts the program on so many ranks."""
         command = [str(Path(self.binary).resolve()), *arguments]
         if ranks > 1:
-            # A rank that waits leaves its processor to the others, also those of other tests. The
-            # libraries of networks would take 0.2 s of each start.
-            command = [self.mpiexec, "--quiet", "-np", str(ranks), "--allow-run-as-root",
-                       "--oversubscribe", "--bind-to", "none",
-                       "--mca", "mpi_yield_when_idle", "1", "--mca", "pml", "ob1", *command]
+            command = [*on_ranks(self.mpiexec, ranks), *command]
         return command
 
     def run(self, scene, output, *options, ranks=1, exit_code=0):
@@ -80,7 +78,8 @@ def outcome(program, check, *arguments):
 
 def side_by_side(program, *checks):
     """Runs check(program, folder, *arguments) for every (check, *arguments), two at a time."""
-    with ProcessPoolExecutor(2) as pool:
+    # As a copy of this process, which has the check; Python 3.14 would start the test anew.
+    with ProcessPoolExecutor(2, multiprocessing.get_context("fork")) as pool:
         for running in [pool.submit(outcome, program, *check) for check in checks]:
             printed, exception = running.result()
             print(printed, end="", flush=True)

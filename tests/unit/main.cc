@@ -1,13 +1,10 @@
 #include <thelma/base/start_up.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <gtest/gtest.h>
 
 int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);
-  thelma::prepare_process();
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const thelma::Process process(argv[0]);
   return RUN_ALL_TESTS();
 }

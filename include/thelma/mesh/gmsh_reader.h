@@ -36,10 +36,11 @@ struct CoarseMesh {
 
 /// Mesh the geometry @p file (.geo with @p parameters, or .msh) in a process of its own, as some
 /// geometries crash gmsh, then split every cell in halves along each direction @p refinements
-/// times.
+/// times. Edges are arcs @p around an axis or the origin (see halved()), or straight if it is
+/// empty.
 /// @p dim 2 wants quadrilaterals, 3 hexahedra. Throws InputError when the file is missing, a
 /// parameter is unknown, or a region has other cells or no name. To be called by one rank.
 CoarseMesh read_gmsh(const std::string& file, const std::map<std::string, double>& parameters,
-                     unsigned int refinements, int dim);
+                     unsigned int refinements, int dim, const std::string& around);
 
 } // namespace thelma
