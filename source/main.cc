@@ -97,13 +97,13 @@ int main(int argc, char** argv)
   std::ostream silence(nullptr);
   try {
     const CommandLine line = CommandLine::parse({argv + 1, argv + argc});
-    return static_cast<int>(run(line, is_rank_0 ? std::cout : silence));
+    return process.end(static_cast<int>(run(line, is_rank_0 ? std::cout : silence)));
   } catch (const WriteError& error) {
     (is_rank_0 ? std::cerr : silence) << "thelma: " << error.what() << std::endl;
-    return static_cast<int>(ExitCode::stopped);
+    return process.end(static_cast<int>(ExitCode::stopped));
   } catch (const InputError& error) {
     complain(is_rank_0 ? std::cerr : silence, error.sentences());
-    return static_cast<int>(ExitCode::bad_input);
+    return process.end(static_cast<int>(ExitCode::bad_input));
   } catch (const std::bad_alloc&) {
     std::cerr << "thelma: " << out_of_memory << std::endl;
     MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitCode::bad_input));

@@ -17,7 +17,12 @@ public:
   /// it would take some for its own and warn of the rest.
   explicit Process(char* name);
 
+  /// To be called last, with the exit code, which it returns. A process that mpirun did not start
+  /// ends with it within seconds, whatever Open MPI waits for.
+  int end(int code) const;
+
 private:
+  bool alone;
   std::array<char*, 2> names;
   char** argv = names.data();
   int argc = 1;
