@@ -79,6 +79,8 @@ Outcome run_scene(const MPI_Comm comm, const ParameterFile& file, const std::str
 {
   return with_problem(comm, file, folder, console, [&](auto& problem) {
     problem.setup();
+    if (begin == Begin::anew)
+      console << replaced(folder, file.name());
     listen_for_signals(); // before, there is nothing to keep, and a stop need not wait
     std::optional<FolderLock> lock;
     on_rank_0(comm, [&]() {
@@ -113,10 +115,8 @@ Outcome SingleRun::run(const MPI_Comm comm, std::ostream& console) const
 {
   const std::optional<Outcome> known = earlier_end();
   if (!known) {
-    if (!restarts) {
+    if (!restarts)
       require_no_study(comm, folder);
-      console << replaced(folder, file);
-    }
     return run_scene(comm, scene(), folder, console, restarts ? Begin::resumed : Begin::anew,
                      arguments);
   }
