@@ -59,8 +59,8 @@ TEST(Amplitude, KinksAreMet)
   EXPECT_TRUE(meets("abs(sin(t))", 4., std::acos(-1.)));
 }
 
-/// A line stays within 0.04, 2 % of the range, of a wave of amplitude 1 for 0.57 to 1.1 radians where
-/// that is most curved, and longer elsewhere.
+/// A line stays within 0.04, 2 % of the range, of a wave of amplitude 1 for 0.57 to 1.1 radians
+/// where that is most curved, and longer elsewhere.
 TEST(Amplitude, WavesAreCutIntoStraightPieces)
 {
   const std::vector<double> bends = times("sin(2*pi*10*t)", 3.).bends;
