@@ -1,4 +1,5 @@
 #include <thelma/application/estimate.h>
+#include <thelma/application/excerpt.h>
 #include <thelma/application/simulation.h>
 #include <thelma/application/study.h>
 #include <thelma/base/complaints.h>
@@ -15,6 +16,7 @@
 #include <iomanip>
 #include <iostream>
 #include <new>
+#include <sstream>
 
 namespace
 {
@@ -36,13 +38,41 @@ void print_lists(std::ostream& out)
   out << "units\n  " << known_units() << "\n";
 }
 
+/// All that help, lists and defaults say of what the user named.
+ExitCode explain(const CommandLine& line, std::ostream& out)
+{
+  using Action = CommandLine::Action;
+  std::ostringstream lists;
+  print_lists(lists);
+  if (line.topic.empty()) {
+    out << (line.action == Action::help   ? CommandLine::help()
+            : line.action == Action::list ? lists.str()
+                                          : default_parameters());
+    return ExitCode::success;
+  }
+  const bool of_all = line.action == Action::help;
+  std::string found;
+  if (of_all)
+    found += items_with(CommandLine::help(), line.topic);
+  if (of_all || line.action == Action::list)
+    found += items_with(lists.str(), line.topic);
+  if (of_all || line.action == Action::defaults)
+    found += entries_with(default_parameters(), line.topic);
+  if (found.empty())
+    throw InputError("command line: nothing is known of '" + line.topic +
+                     "'; see thelma --help, thelma --list and thelma --defaults");
+  out << found;
+  return ExitCode::success;
+}
+
 /// Every case, also after one with problems.
 ExitCode check(const CommandLine& line, std::ostream& out)
 {
   Complaints complaints;
   for (const Case& one : cases_of(line))
     complaints.allow([&]() {
-      const std::string verdict = check_scene(MPI_COMM_WORLD, one.file);
+      const std::string verdict =
+          check_scene(MPI_COMM_WORLD, one.file, one.name.empty() ? line.output : one.folder);
       out << line.file << (one.name.empty() ? "" : ", " + one.name) << ": " << verdict << "\n";
     });
   complaints.raise();
@@ -63,18 +93,13 @@ void complain(std::ostream& out, const std::vector<std::string>& sentences)
 ExitCode run(const CommandLine& line, std::ostream& out)
 {
   switch (line.action) {
-  case CommandLine::Action::help:
-    out << CommandLine::help();
-    return ExitCode::success;
   case CommandLine::Action::version:
     out << "thelma " << version << "\n";
     return ExitCode::success;
+  case CommandLine::Action::help:
   case CommandLine::Action::list:
-    print_lists(out);
-    return ExitCode::success;
   case CommandLine::Action::defaults:
-    out << default_parameters();
-    return ExitCode::success;
+    return explain(line, out);
   case CommandLine::Action::check:
     return check(line, out);
   default:

@@ -1,8 +1,11 @@
 // What a run is set up from, and all that is wrong with it.
 
+#include <thelma/base/error.h>
+#include <thelma/output/curve.h>
 #include <thelma/problem.h>
 
 #include <algorithm>
+#include <cmath>
 #include <regex>
 
 namespace thelma
@@ -27,13 +30,16 @@ void Problem<dim>::setup()
   state.start();
 
   outcome.modelled = layout.summary();
-  for (const std::string& line : materials.summary(theta))
-    outcome.modelled.push_back(line);
+  for (const std::vector<std::string>& lines :
+       {mesh.remarks(), materials.summary(theta), materials.doubts()})
+    outcome.modelled.insert(outcome.modelled.end(), lines.begin(), lines.end());
   outcome.modelled.push_back(loading.description());
   outcome.modelled.push_back(system.solver_description());
   if (layout.is_transient())
     for (const std::string& line : transient.summary())
       outcome.modelled.push_back(line);
+  if (const std::string sentence = doubt_about_thickness(); !sentence.empty())
+    outcome.modelled.push_back(sentence);
   for (const std::string& sentence : results.remarks())
     outcome.modelled.push_back(sentence);
   for (const std::string& sentence : idle_entries())
@@ -83,7 +89,16 @@ void Problem<dim>::check_and_set_up(Complaints& found)
   const bool has_amplitudes = found.allow([&]() { transient.read_amplitudes(); });
   const bool has_mesh = found.allow([&]() {
     const auto timer = timings.measure("mesh");
-    mesh.read(scene_folder);
+    mesh.read(scene_folder, [this](const WholeMesh<dim>& whole) {
+      if (picture_folder.empty())
+        return;
+      try {
+        create_folder(picture_folder);
+        write_file(picture_folder + "/mesh.vtu", picture(whole));
+        mesh_is_drawn = true;
+      } catch (const std::runtime_error&) { // nothing is wrong with the scene
+      }
+    });
   });
   if (!has_mesh || !found.allow([&]() { layout.setup(mesh, materials); }))
     return;
@@ -119,6 +134,22 @@ void Problem<dim>::choose_solvers()
     isothermal.choose(Solved::deformation, system);
     system.count_on(isothermal);
   }
+}
+
+/// A film thickness that the electrodes do not have makes another e of every voltage.
+template <int dim>
+std::string Problem<dim>::doubt_about_thickness() const
+{
+  constexpr double rough = 0.1; // as where a film is not everywhere as thick
+  if (!layout.has(Field::potential))
+    return "";
+  const double distance = electrode_distance(mesh, conditions.electrodes());
+  const double ratio = loading.thickness() / distance;
+  if (!(distance > 0.) || std::abs(ratio - 1.) < rough)
+    return "";
+  return "warning: Loading/Film thickness is " + as_text(loading.thickness()) +
+         " mm, but the electrodes are " + as_text(distance) +
+         " mm apart where they are nearest; e is V/h sqrt(eps/mu) with h = Film thickness";
 }
 
 #define INSTANTIATE(dim) template void Problem<dim>::setup();

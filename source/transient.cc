@@ -53,10 +53,11 @@ void Transient<dim>::read_amplitudes()
     complaints.allow([&]() {
       const std::string place = "section Time, entry '" + entry.name + "'";
       entry.amplitude.emplace(place, entry.text);
-      for (const double time : layout.is_transient() ? samples() : std::vector<double>())
-        if (const double value = (*entry.amplitude)(time); !std::isfinite(value))
-          throw InputError(place + ": it is " + as_text(value) + " at t = " + as_text(time) +
-                           " s; write what is a number from 0 to Time/End");
+      if (!layout.is_transient())
+        return;
+      const AmplitudeTimes found = entry.amplitude->times(final_time());
+      kinks.insert(kinks.end(), found.kinks.begin(), found.kinks.end());
+      bends.insert(bends.end(), found.bends.begin(), found.bends.end());
     });
   complaints.raise();
   if (layout.is_transient())
@@ -117,11 +118,7 @@ void Transient<dim>::setup(const System<dim>& deformation, const double target_v
 template <int dim>
 void Transient<dim>::start()
 {
-  std::vector<double> kinks;
-  for (const auto* amplitude : {&voltage_amplitude, &wall_amplitude, &power_amplitude})
-    for (const auto& row : (*amplitude)->table())
-      kinks.push_back(row.first);
-  stepper.start(kinks);
+  stepper.start(kinks, bends);
   longer.reset();
   wall_parts = 1;
   state.time = 0.;
@@ -288,9 +285,13 @@ std::vector<std::string> Transient<dim>::summary() const
   text << std::setprecision(2) << "coupling: " << coupling
        << "; staggered is cheaper, because its two matrices are symmetric and smaller: one "
        << "monolithic factorisation costs about " << ratio << " times as much";
-  return {"time: " + std::string(stepper.order() == 2 ? "BDF2" : "backward Euler") +
-              ", structural heat: " + structural_heat,
-          text.str()};
+  std::vector<std::string> lines{
+      "time: " + std::string(stepper.order() == 2 ? "BDF2" : "backward Euler") +
+          ", structural heat: " + structural_heat,
+      text.str()};
+  if (const std::string sentence = stepper.steps_over(bends); !sentence.empty())
+    lines.push_back(sentence);
+  return lines;
 }
 
 template class Transient<2>;

@@ -25,6 +25,12 @@ public:
   /// Reads and checks @p file; results go to @p folder, progress to the @p console of rank 0.
   Problem(MPI_Comm comm, const ParameterFile& file, std::string folder, std::ostream& console);
 
+  /// Let setup() write the mesh into @p folder as mesh.vtu.
+  void draw_mesh(const std::string& folder) { picture_folder = folder; }
+
+  /// Whether rank 0, which asks, could do so.
+  bool has_drawn_mesh() const { return mesh_is_drawn; }
+
   /// Build mesh, fields and solver. Throws InputError for whatever is wrong with the scene.
   void setup();
 
@@ -80,6 +86,7 @@ private:
   void check_and_set_up(Complaints& found);
   void choose_solvers();
   std::vector<std::string> idle_entries() const;
+  std::string doubt_about_thickness() const;
   void heat();
   void set_uniform_temperature(double value);
   void check_stages() const;
@@ -113,7 +120,9 @@ private:
   Outcome failure(const std::string& name, const std::string& reason) const;
   Scene<dim> scene();
 
-  std::string scene_folder; ///< from which the scene names its files
+  std::string scene_folder;   ///< from which the scene names its files
+  std::string picture_folder; ///< for mesh.vtu; empty: none
+  bool mesh_is_drawn = false;
   dealii::ParameterHandler prm;
   Complaints complaints;
   Timings timings;

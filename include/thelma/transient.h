@@ -112,7 +112,8 @@ private:
   std::string coupling = "staggered", structural_heat = "none";
   std::string voltage_text = "1", wall_text = "1", power_text = "1";
   std::optional<Amplitude> voltage_amplitude, wall_amplitude, power_amplitude;
-  double voltage = 0., theta = 0.; ///< kV, K
+  std::vector<double> kinks, bends; ///< of all amplitudes, s
+  double voltage = 0., theta = 0.;  ///< kV, K
 };
 
 } // namespace thelma

@@ -126,6 +126,11 @@ CommandLine CommandLine::parse(const std::vector<std::string>& given)
         throw InputError("command line: " + word + " needs a value; see thelma --help");
       return arguments[i];
     };
+    const auto show = [&](const Action action) {
+      line.action = action;
+      if (i + 1 < arguments.size() && arguments[i + 1].rfind('-', 0) != 0)
+        line.topic = arguments[++i];
+    };
     if (word == "--set")
       line.overrides.push_back(Override::parse(value()));
     else if (word == "--sweep")
@@ -144,13 +149,13 @@ CommandLine CommandLine::parse(const std::vector<std::string>& given)
     else if (word == "--check")
       line.action = Action::check;
     else if (word == "--list")
-      line.action = Action::list;
+      show(Action::list);
     else if (word == "--defaults")
-      line.action = Action::defaults;
+      show(Action::defaults);
     else if (word == "--version")
       line.action = Action::version;
     else if (word == "--help" || word == "-h")
-      line.action = Action::help;
+      show(Action::help);
     else if (word.rfind('-', 0) == 0)
       throw InputError("command line: unknown option '" + word + "'" +
                        known_ones(word, {"--set", "--sweep", "--ranks-per-case", "--output",
@@ -185,10 +190,13 @@ Simulates dielectric elastomer actuators: finite deformation, electric field, te
   --estimate                         run again on finer meshes, in time also with shorter steps, and
                                      print the error of every number (estimate.csv)
   --check                            say all that is wrong with the scene, run nothing
-  --list                             known laws, formulations, solvers, observables and units,
-                                     each with its meaning
-  --defaults                         print every entry with its default, unit and meaning
-  --version, --help, -h
+                                     but write the mesh into the output folder (mesh.vtu: regions,
+                                     surfaces, bodies, shape of the cells)
+  --list [WORD]                      known laws, formulations, solvers, observables and units,
+                                     each with its meaning, or those with WORD
+  --defaults [SECTION]               print every entry with its default, unit and meaning, or those
+                                     of a section or with that word in their name
+  --help [WORD], -h, --version       with WORD all that has to do with it
 
 A sweep leaves a folder per run and study.csv, a row per run. Started again, it runs only what is
 not finished or what has changed since.

@@ -8,6 +8,7 @@
 #include <thelma/output/run_report.h>
 #include <thelma/problem.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <memory>
@@ -45,6 +46,25 @@ auto with_problem(const MPI_Comm comm, const ParameterFile& file, const std::str
   }
 }
 
+/// Called by every rank. A study's table would hide that one of its cases is gone.
+void require_no_study(const MPI_Comm comm, const std::string& folder)
+{
+  on_rank_0(comm, [&]() {
+    if (std::filesystem::exists(folder + "/study.csv"))
+      throw InputError("command line, --output: '" + folder +
+                       "' has a study in it; choose another folder");
+  });
+}
+
+/// What a run into @p folder takes the place of, for the user: nothing, if that was the same scene.
+std::string replaced(const std::string& folder, const std::string& scene)
+{
+  const std::string earlier = scene_of_report(folder + "/run.json");
+  return earlier.empty() || earlier == scene
+             ? ""
+             : "  the results of " + earlier + " in " + folder + " are replaced\n";
+}
+
 std::ostream& silence()
 {
   static std::ostream nowhere(nullptr);
@@ -59,6 +79,8 @@ Outcome run_scene(const MPI_Comm comm, const ParameterFile& file, const std::str
 {
   return with_problem(comm, file, folder, console, [&](auto& problem) {
     problem.setup();
+    if (begin == Begin::anew)
+      console << replaced(folder, file.name());
     listen_for_signals(); // before, there is nothing to keep, and a stop need not wait
     std::optional<FolderLock> lock;
     on_rank_0(comm, [&]() {
@@ -92,9 +114,12 @@ std::optional<Outcome> SingleRun::earlier_end() const
 Outcome SingleRun::run(const MPI_Comm comm, std::ostream& console) const
 {
   const std::optional<Outcome> known = earlier_end();
-  if (!known)
+  if (!known) {
+    if (!restarts)
+      require_no_study(comm, folder);
     return run_scene(comm, scene(), folder, console, restarts ? Begin::resumed : Begin::anew,
                      arguments);
+  }
   on_rank_0(comm, [&]() { Checkpoints(folder).remove(); }); // if killed just before that
   console << folder << " is finished: " << known->summary() << "\n";
   return *known;
@@ -106,13 +131,17 @@ bool is_finished(const ParameterFile& file, const std::string& folder)
                       [](const auto& problem) { return problem.finished(); });
 }
 
-std::string check_scene(const MPI_Comm comm, const ParameterFile& file)
+std::string check_scene(const MPI_Comm comm, const ParameterFile& file, const std::string& folder)
 {
-  return with_problem(comm, file, "", silence(), [](auto& problem) {
+  return with_problem(comm, file, "", silence(), [&](auto& problem) {
+    problem.draw_mesh(folder);
     problem.setup();
     std::ostringstream text;
     text << "no problem found; shape of the worst cell: " << std::setprecision(2)
-         << problem.mesh_shape() << (problem.mesh_shape() < 0.2 ? ", poor" : "") << " (1 is a box)";
+         << problem.mesh_shape() << (problem.mesh_shape() < 0.2 ? ", poor" : "")
+         << " (1 is a box); the mesh "
+         << (problem.has_drawn_mesh() ? "is in " : "cannot be written into ") << folder
+         << "/mesh.vtu";
     for (const std::string& line : problem.modelled())
       text << "\n  " << line;
     return text.str();

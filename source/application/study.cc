@@ -81,6 +81,29 @@ Outcome ended_by(const std::exception& error)
   return outcome;
 }
 
+/// A study in a folder of a single run would mix their files; one that has fewer cases than the
+/// study before it says which leave the table.
+void look_into(const std::string& folder, const std::vector<Case>& cases)
+{
+  std::ifstream table(folder + "/study.csv");
+  if (!table && std::filesystem::exists(folder + "/used.prm"))
+    throw InputError("command line, --output: '" + folder +
+                     "' has a single run in it; choose another folder");
+  std::string line;
+  std::getline(table, line);
+  unsigned int n_gone = 0;
+  while (std::getline(table, line)) {
+    const auto is_row_of = [&](const Case& one) {
+      return line.find("\"" + one.name + "\"") != std::string::npos;
+    };
+    if (std::none_of(cases.begin(), cases.end(), is_row_of))
+      ++n_gone;
+  }
+  if (n_gone > 0)
+    std::cout << folder << ": cases of an earlier study that leave study.csv: " << n_gone
+              << "; their folders stay" << std::endl;
+}
+
 } // namespace
 
 Study::Study(const MPI_Comm world, const CommandLine& line)
@@ -93,6 +116,7 @@ Study::Study(const MPI_Comm world, const CommandLine& line)
                      " ranks wanted but there are " + std::to_string(ranks) +
                      "; start with mpirun -np " + std::to_string(wanted) + " or more");
   on_rank_0(world, [&]() {
+    look_into(folder, cases);
     create_folder(folder);
     lock.emplace(folder);
     for (const Case& one : cases)

@@ -9,9 +9,11 @@
 namespace thelma
 {
 
-Amplitude::Amplitude(const std::string& place, const std::string& text)
+Amplitude::Amplitude(const std::string& place, const std::string& text) : place(place), text(text)
 {
-  if (text.find(':') == std::string::npos) {
+  const bool is_table =
+      text.find(':') != std::string::npos && text.find('?') == std::string::npos; // a ? b : c
+  if (!is_table) {
     formula = std::make_shared<Formula<1>>(place, text, "t");
     return;
   }

@@ -7,6 +7,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 
+#include <regex>
 #include <sstream>
 
 namespace thelma
@@ -31,6 +32,10 @@ dealii::Tensor<1, dim> parse_force(const std::string& text)
                               " components in " + unit + " with blanks between";
   if (numbers.back().empty())
     throw InputError(problem);
+  if (dim == 2 && std::regex_search(rest, std::regex("^ *[-+.0-9]")))
+    throw InputError("'" + text +
+                     "' has three components, but the plane of x1 and x3 only two; "
+                     "leave out the one along x2");
   dealii::Tensor<1, dim> force;
   try {
     for (unsigned int d = 0; d < dim; ++d)

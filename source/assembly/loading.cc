@@ -4,6 +4,8 @@
 #include <thelma/base/parameters.h>
 #include <thelma/base/quantity.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -80,6 +82,10 @@ const Material& Loading::film_of(const MaterialLibrary& materials) const
 
 double Loading::read_target() const
 {
+  if (dealii::Utilities::trim(target_text).rfind('-', 0) == 0)
+    throw InputError("section Loading, entry 'Target': '" + target_text +
+                     "' is negative; write a positive one and turn the signs around in the section "
+                     "Electrodes, as `top: -1`");
   try {
     return Quantity(control == "e"         ? "1"
                     : control == "voltage" ? "kV"

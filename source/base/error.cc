@@ -68,8 +68,10 @@ std::vector<std::string> InputError::sentences() const
 std::string comma_separated(const std::vector<std::string>& words)
 {
   std::string result;
-  for (const std::string& word : words)
-    result += (result.empty() ? "" : ", ") + word;
+  for (const std::string& word : words) {
+    const bool is_odd = word.find_first_of(",:") != std::string::npos;
+    result += (result.empty() ? "" : ", ") + (is_odd ? "'" + word + "'" : word);
+  }
   return result.empty() ? "none" : result;
 }
 

@@ -2,6 +2,7 @@
 #include <thelma/base/declared_entries.h>
 #include <thelma/base/parameters.h>
 #include <thelma/base/quantity.h>
+#include <thelma/base/wording.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -81,6 +82,9 @@ std::string unknown_entry(const DeclaredEntries& declared, const Statement& stat
   const std::vector<std::string> elsewhere = declared.sections_with(statement.entry);
   const std::vector<std::string> here = declared.entries(statement.sections);
   std::string sentence = "unknown entry '" + statement.entry + "'";
+  if (const std::string remedy = other_wording(statement.entry);
+      elsewhere.empty() && !remedy.empty())
+    return sentence + "; " + remedy;
   if (closest(statement.entry, here).empty() && !elsewhere.empty())
     sentence += "; it belongs to the section " + comma_separated(elsewhere) +
                 "; known here: " + comma_separated(here);
@@ -152,9 +156,19 @@ ParameterFile::ParameterFile(std::string file, const std::vector<Override>& over
   std::ifstream stream(path);
   std::stringstream content;
   std::error_code ignored;
-  if (!stream || std::filesystem::is_directory(path) ||
-      !(content << stream.rdbuf() || std::filesystem::is_empty(path, ignored)))
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if (std::filesystem::is_directory(path, ignored))
+    throw InputError(path + ": this is a folder; give the path of a .prm in it");
+  if (extension == ".geo" || extension == ".msh")
+    throw InputError(path +
+                     ": this is a geometry, not a parameter file; name it in a .prm, in the "
+                     "section Mesh as `set File = " +
+                     std::filesystem::path(path).filename().string() + "`, and give that");
+  if (!stream || !(content << stream.rdbuf() || std::filesystem::is_empty(path, ignored)))
     throw InputError(path + ": cannot read this parameter file; give the path of an existing .prm");
+  const std::string start = content.str().substr(0, 2);
+  if (start == "\xFF\xFE" || start == "\xFE\xFF")
+    throw InputError(path + ": this text is UTF-16; save it as UTF-8");
   statements = Statements(content.str());
   for (const Override& change : overrides)
     statements.entries.push_back({0, change.sections, change.entry, change.value});

@@ -44,6 +44,47 @@ bool share_a_computer()
   return all != nullptr && here != nullptr && std::strcmp(all, here) == 0;
 }
 
+/// The value of @p name; getenv() does not know the environment yet.
+const char* value_in(char** environment, const char* name)
+{
+  const std::size_t n = std::strlen(name);
+  for (char** entry = environment; *entry != nullptr; ++entry)
+    if (std::strncmp(*entry, name, n) == 0 && (*entry)[n] == '=')
+      return *entry + n + 1;
+  return nullptr;
+}
+
+/// For rank 0 to tell.
+[[noreturn]] void refuse(char** environment, const char* sentence)
+{
+  const char* rank = value_in(environment, "OMPI_COMM_WORLD_RANK");
+  const bool tells = rank == nullptr || std::strcmp(rank, "0") == 0;
+  const ssize_t written = tells ? write(STDERR_FILENO, sentence, std::strlen(sentence)) : 0;
+  _exit(written < 0 ? 70 : 1);
+}
+
+/// What makes libraries throw while they are loaded, where nothing can catch it: deal.II reads this
+/// variable, and others ask for the working folder.
+void check_surroundings(int, char**, char** environment)
+{
+  if (const char* threads = value_in(environment, "DEAL_II_NUM_THREADS")) {
+    const std::size_t n = std::strlen(threads);
+    if (n == 0 || n > 6 || std::strspn(threads, "0123456789") != n || std::atoi(threads) == 0)
+      refuse(environment,
+             "thelma: the environment variable DEAL_II_NUM_THREADS is no number of threads; write "
+             "1, or remove it\n");
+  }
+  char folder[65536];
+  if (getcwd(folder, sizeof(folder)) == nullptr)
+    refuse(environment,
+           "thelma: the working folder cannot be found, perhaps because it has been deleted; go to "
+           "another one\n");
+}
+
+/// Before any library's own.
+__attribute__((section(".preinit_array"), used)) void (*const first)(int, char**,
+                                                                     char**) = check_surroundings;
+
 void prepare_process()
 {
   // More threads than ranks only compete; in the bending scene they spent 41 % of all CPU time in

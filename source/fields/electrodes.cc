@@ -1,6 +1,7 @@
 #include <thelma/base/complaints.h>
 #include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
+#include <thelma/base/units.h>
 #include <thelma/fields/electrodes.h>
 #include <thelma/fields/named_dofs.h>
 
@@ -11,6 +12,32 @@
 
 namespace thelma
 {
+namespace
+{
+
+/// Declares an entry of multiples of what the section Loading applies, by the names of electrodes.
+void add_multiples(dealii::ParameterHandler& prm, const std::string& entry,
+                   std::map<std::string, double>& multiples, const std::string& sentence,
+                   const std::string& control, const std::string& unit)
+{
+  using namespace dealii::Patterns;
+  using Map = std::map<std::string, std::string>;
+  prm.declare_entry(entry, "", dealii::Patterns::Map(Anything(), Anything(), 0, 100), sentence);
+  prm.add_action(entry, [&multiples, control, unit](const std::string& text) {
+    multiples.clear();
+    for (const auto& [name, value] : Tools::Convert<Map>::to_value(text)) {
+      const NumberWithUnit given(value, "1");
+      if (!given.unit.empty())
+        throw InputError("'" + value + "' has a unit, but is to be a multiple of the applied " +
+                         control + "; write `" + name + ": 1`, and in the section Loading `set " +
+                         "Control = " + control + "` and `set Target = 4 " + unit +
+                         "` or the like");
+      multiples[name] = given.number;
+    }
+  });
+}
+
+} // namespace
 
 double Electrode::own_sum(const BlockVector& x) const
 {
@@ -25,16 +52,15 @@ double Electrode::own_sum(const BlockVector& x) const
 template <int dim>
 void Electrodes<dim>::declare(dealii::ParameterHandler& prm)
 {
-  using namespace dealii::Patterns;
   const Section section(prm, {"Electrodes"});
-  prm.add_parameter("Potential", driven,
-                    "Potential of each electrode as a multiple of the applied voltage, as "
-                    "`bottom: 0, top: 1`; 0 is ground.",
-                    Map(Anything(), Double(), 0, 100));
-  prm.add_parameter("Floating", floating,
-                    "Electrodes whose potential is an unknown, each with its charge as a multiple "
-                    "of the applied one, as `top: 1`; 0 is without charge.",
-                    Map(Anything(), Double(), 0, 100));
+  add_multiples(prm, "Potential", driven,
+                "Potential of each electrode as a multiple of the applied voltage, as `bottom: 0, "
+                "top: 1`; 0 is ground.",
+                "voltage", "kV");
+  add_multiples(prm, "Floating", floating,
+                "Electrodes whose potential is an unknown, each with its charge as a multiple of "
+                "the applied one, as `top: 1`; 0 is without charge.",
+                "charge", "uC");
 }
 
 template <int dim>

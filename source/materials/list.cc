@@ -102,7 +102,7 @@ void MaterialLibrary::declare(dealii::ParameterHandler& prm)
   }
 }
 
-void MaterialLibrary::check(const double theta) const
+void MaterialLibrary::check(const double theta)
 {
   if (materials.empty())
     throw InputError("section Regions, entry 'Materials': it is empty or missing; write `set "
@@ -110,6 +110,12 @@ void MaterialLibrary::check(const double theta) const
   for (const auto& [name, entry] : materials) {
     const std::string at = " at " + as_text(theta) + " K";
     require_positive(name, "Shear modulus", entry.material->shear_modulus(theta), at);
+    try {
+      Thermal& thermal = entry.material->thermal;
+      thermal.follow(entry.material->shear_modulus(thermal.theta_0));
+    } catch (const InputError& error) {
+      throw InputError("section Materials/" + name + ", entry 'Bulk modulus': " + error.what());
+    }
     require_positive(name, "Bulk modulus", entry.material->thermal.K, at);
     require_positive(name, "Permittivity", entry.material->permittivity(theta), at);
     constexpr double vacuum = 8.8541878e-6; // N/kV^2
@@ -118,6 +124,11 @@ void MaterialLibrary::check(const double theta) const
       throw InputError("section Materials/" + name + ", entry 'Permittivity': the value is " +
                        as_text(relative) +
                        " times that of vacuum; write it in N/kV^2, or with its unit F/m");
+    if (relative < 1.)
+      throw InputError("section Materials/" + name + ", entry 'Permittivity': the value is " +
+                       as_text(relative) + " times that of vacuum" + at +
+                       ", but no material has less than that; write it in N/kV^2, or with its "
+                       "unit F/m");
   }
 }
 
@@ -146,6 +157,23 @@ std::vector<std::string> MaterialLibrary::summary(const double theta) const
         (entry.has_section ? "" : "; all by default, as there is no section Materials/" + name));
   }
   return lines;
+}
+
+std::vector<std::string> MaterialLibrary::doubts() const
+{
+  constexpr double softest = 10., hardest = 1e5;
+  std::vector<std::string> sentences;
+  for (const auto& [name, entry] : materials) {
+    const Thermal& thermal = entry.material->thermal;
+    const double mu = entry.material->shear_modulus(thermal.theta_0), ratio = thermal.K / mu;
+    if (ratio < softest || ratio > hardest)
+      sentences.push_back("warning: the bulk modulus of " + name + " is " + as_text(ratio) +
+                          " times its shear modulus, " +
+                          (ratio < softest ? "which is a foam's" : "which costs accuracy") +
+                          "; rubber has 1000 or so (Materials/" + name +
+                          "/Bulk over shear modulus)");
+  }
+  return sentences;
 }
 
 double MaterialLibrary::reference_temperature() const

@@ -1,12 +1,13 @@
 #include <thelma/base/child_process.h>
 #include <thelma/base/complaints.h>
 #include <thelma/base/memory.h>
+#include <thelma/mesh/gmsh_parameters.h>
 #include <thelma/mesh/gmsh_reader.h>
 #include <thelma/mesh/halving.h>
+#include <thelma/mesh/physical_groups.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
-#include <boost/property_tree/json_parser.hpp>
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 namespace thelma
@@ -51,6 +53,20 @@ struct Gmsh {
   }
 };
 
+/// What an editor or a spreadsheet may have done to a mesh; empty if nothing is seen.
+std::string damage(const std::string& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  std::string start(3, '\0');
+  stream.read(start.data(), 3);
+  if (start == "\xEF\xBB\xBF" || start.substr(0, 2) == "\xFF\xFE" ||
+      start.substr(0, 2) == "\xFE\xFF")
+    return "; it begins with a byte order mark, save it as plain UTF-8 without one";
+  if (std::filesystem::path(file).extension() == ".msh")
+    return "; save it again from gmsh, with decimal points";
+  return "";
+}
+
 void open(const std::string& file, const std::string& entry)
 {
   std::string problem;
@@ -62,55 +78,8 @@ void open(const std::string& file, const std::string& entry)
   }
   if (!problem.empty())
     throw InputError("section Mesh, entry '" + entry + "': gmsh cannot read '" + file +
-                     (entry == "File" ? "': " : "' with these: ") + problem);
-}
-
-/// Numbers of cells and the like are declared with a whole Step: throws InputError unless @p value
-/// is a multiple of it and between the Min and the Max of the parameter @p name. (To a parameter
-/// without any of these gmsh gives limits of its own, which mean nothing, and no whole step.)
-void require_allowed(const std::string& file, const std::string& name, const double value)
-{
-  std::string description;
-  gmsh::onelab::get(description, name);
-  std::istringstream json(description);
-  boost::property_tree::ptree parameter;
-  boost::property_tree::read_json(json, parameter);
-  const auto refuse = [&](const std::string& remedy) {
-    throw InputError("section Mesh, entry 'Parameters': '" + name + "' of '" + file + "' is " +
-                     as_text(value) + " but must be " + remedy);
-  };
-  const double step = parameter.get("step", 0.);
-  if (step < 1. || step != std::round(step))
-    return;
-  if (std::fmod(value, step) != 0.)
-    refuse(step == 1. ? "a whole number" : "a multiple of " + as_text(step));
-  if (const double least = parameter.get("min", value); value < least)
-    refuse("at least " + as_text(least));
-  if (const double most = parameter.get("max", value); value > most)
-    refuse("at most " + as_text(most));
-}
-
-/// Parameters are the names a .geo declares with DefineConstant[ a = {1, Name "a"} ].
-void set_parameters(const std::string& file, const std::map<std::string, double>& parameters)
-{
-  std::vector<std::string> known;
-  gmsh::onelab::getNames(known);
-  const auto belongs_to_gmsh = [](const std::string& n) {
-    return n.find('/') != std::string::npos;
-  };
-  known.erase(std::remove_if(known.begin(), known.end(), belongs_to_gmsh), known.end());
-  Complaints complaints;
-  for (const auto& [name, value] : parameters)
-    complaints.allow([&, &name = name, &value = value]() {
-      if (std::find(known.begin(), known.end(), name) == known.end())
-        throw InputError("section Mesh, entry 'Parameters': '" + file + "' has no parameter '" +
-                         name + "'" + known_ones(name, known));
-      require_allowed(file, name, value);
-    });
-  complaints.raise();
-  gmsh::clear();
-  for (const auto& [name, value] : parameters)
-    gmsh::onelab::setNumber(name, {value});
+                     (entry == "File" ? "': " : "' with these: ") + problem +
+                     (entry == "File" ? damage(file) : ""));
 }
 
 /// Refining makes cells faster than anyone thinks.
@@ -126,6 +95,17 @@ void require_memory(const unsigned int refinements, const int dim)
                      std::to_string(refinements) + " times are " + as_text(n_cells) +
                      ", too many for the memory of this machine (" +
                      as_text(std::round(machine_memory() / 1e9)) + " GB); refine less");
+}
+
+/// What gmsh multiplies coordinates by where it saves a mesh (Mesh.ScalingFactor).
+double scaling_factor(const std::string& file)
+{
+  double factor = 1.;
+  gmsh::option::getNumber("Mesh.ScalingFactor", factor);
+  if (!(factor > 0.) || !std::isfinite(factor))
+    throw InputError("section Mesh, entry 'File': '" + file + "' sets Mesh.ScalingFactor to " +
+                     as_text(factor) + "; write a positive number, by which lengths become mm");
+  return factor;
 }
 
 void generate(const std::string& file, const unsigned int refinements, const int dim,
@@ -148,41 +128,6 @@ void generate(const std::string& file, const unsigned int refinements, const int
   }
   if (!problem.empty())
     throw InputError("section Mesh, entry 'File': gmsh cannot mesh '" + file + "': " + problem);
-}
-
-/// Vertices per element of the linear point, line, quadrilateral and hexahedron; 0 for any other.
-unsigned int vertices_of_type(const int type)
-{
-  const std::map<int, unsigned int> linear{{15, 1}, {1, 2}, {3, 4}, {5, 8}};
-  const auto found = linear.find(type);
-  return found == linear.end() ? 0 : found->second;
-}
-
-void read_elements(PhysicalGroup& group, const int tag,
-                   const std::map<std::size_t, unsigned int>& index)
-{
-  std::vector<int> entities;
-  gmsh::model::getEntitiesForPhysicalGroup(group.dimension, tag, entities);
-  for (const int entity : entities) {
-    std::vector<int> types;
-    std::vector<std::vector<std::size_t>> elements, nodes;
-    gmsh::model::mesh::getElements(types, elements, nodes, group.dimension, entity);
-    for (std::size_t t = 0; t < types.size(); ++t) {
-      const unsigned int n = vertices_of_type(types[t]);
-      if (n == 0)
-        throw InputError("section Mesh, entry 'File': '" + group.name + "' has " +
-                         std::to_string(elements[t].size()) + " elements that are not linear " +
-                         (group.dimension == 3   ? "hexahedra"
-                          : group.dimension == 2 ? "quadrilaterals"
-                                                 : "lines") +
-                         "; use transfinite or extruded meshes with Recombine");
-      for (std::size_t i = 0; i < nodes[t].size(); i += n) {
-        group.elements.emplace_back();
-        for (std::size_t v = i; v < i + n; ++v)
-          group.elements.back().push_back(index.at(nodes[t][v]));
-      }
-    }
-  }
 }
 
 /// Keep only vertices that belong to cells and number them consecutively.
@@ -217,6 +162,11 @@ void require_dimension(const std::string& file, const int dim)
   if (dim == 2 && is_solid)
     throw InputError("section Mesh, entry 'File': '" + file +
                      "' has volumes, but the scene is plane; write `set Dimension = 3`");
+  std::vector<int> types;
+  gmsh::model::mesh::getElementTypes(types);
+  if (types.empty())
+    throw InputError("section Mesh, entry 'File': '" + file +
+                     "' has no cells; draw some, or save the mesh again");
   gmsh::vectorpair groups;
   gmsh::model::getPhysicalGroups(groups, dim);
   const auto is_region = [](const std::pair<int, int>& group) {
@@ -230,15 +180,6 @@ void require_dimension(const std::string& file, const int dim)
                       : is_solid ? "volume to be a region; name one"
                                  : "volume to be a region, as it is plane; write `set Dimension = "
                                    "2` for plane strain, or extrude it"));
-}
-
-void require_cells(const std::string& file, const CoarseMesh& mesh, const int dim)
-{
-  for (const PhysicalGroup& group : mesh.groups)
-    if (group.dimension == dim && group.elements.empty())
-      throw InputError("section Mesh, entry 'File': the region '" + group.name + "' of '" + file +
-                       "' has no cells; mesh it in " + (dim == 3 ? "three" : "two") +
-                       " dimensions (in a .geo without `Mesh` commands that is done here)");
 }
 
 /// The plane is that of x1 and x3.
@@ -268,6 +209,7 @@ CoarseMesh read_here(const std::string& file, const std::map<std::string, double
   generate(file, refinements, dim, !around.empty());
   require_dimension(file, dim);
 
+  const double scale = scaling_factor(file);
   CoarseMesh mesh;
   std::vector<std::size_t> tags;
   std::vector<double> coordinates, parametric;
@@ -276,24 +218,13 @@ CoarseMesh read_here(const std::string& file, const std::map<std::string, double
   for (std::size_t i = 0; i < tags.size(); ++i) {
     index[tags[i]] = i;
     for (std::size_t d = 3 * i; d < 3 * i + 3; ++d)
-      if (!std::isfinite(coordinates[d]))
+      if (!std::isfinite(coordinates[d] *= scale))
         throw InputError("section Mesh, entry 'File': node " + std::to_string(tags[i]) + " of '" +
                          file + "' lies at x" + std::to_string(d % 3 + 1) + " = " +
                          as_text(coordinates[d]) + "; write a number there");
     mesh.vertices.push_back({{coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]}});
   }
-
-  gmsh::vectorpair groups;
-  gmsh::model::getPhysicalGroups(groups);
-  for (const auto& [dimension, tag] : groups) {
-    PhysicalGroup group{"", dimension, {}};
-    gmsh::model::getPhysicalName(dimension, tag, group.name);
-    if (group.name.empty() || dimension > dim)
-      continue;
-    read_elements(group, tag, index);
-    mesh.groups.push_back(group);
-  }
-  require_cells(file, mesh, dim);
+  mesh.groups = read_physical_groups(file, dim, index);
   drop_unused_vertices(mesh, dim);
   if (dim == 2)
     require_plane(file, mesh);

@@ -6,6 +6,7 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace thelma
@@ -35,8 +36,9 @@ void Mesh<dim>::declare(dealii::ParameterHandler& prm)
                     Integer(0, 20));
   prm.add_parameter("Curved", curved,
                     "Where edges between vertices are arcs: `nowhere`, or all of them `around x2`, "
-                    "the axis of a tube, or `around the origin`, the centre of a sphere.",
-                    Selection("nowhere|around x2|around the origin"));
+                    "the axis of a tube (or x1 or x3, in space), or `around the origin`, the "
+                    "centre of a sphere. Edges straight away from it are straight.",
+                    Selection("nowhere|around x1|around x2|around x3|around the origin"));
   add_quantity(prm, "Imperfection", imperfection,
                "Amplitude of the displacement of the vertices before the calculation starts, so "
                "that the body leaves an unstable straight path.",
@@ -48,15 +50,22 @@ void Mesh<dim>::declare(dealii::ParameterHandler& prm)
 }
 
 template <int dim>
-void Mesh<dim>::read(const std::string& folder)
+void Mesh<dim>::read(const std::string& folder, const Look& look)
 {
   if (file.empty())
     throw InputError("section Mesh, entry 'File': it is empty or missing; write `set File = "
                      "NAME.geo`");
+  if (dim == 2 && (curved == "around x1" || curved == "around x3"))
+    throw InputError("section Mesh, entry 'Curved': in the plane of x1 and x3 arcs are " +
+                     std::string("`around x2`, not `") + curved + "`");
   WholeMesh<dim> whole;
   on_rank_0(communicator(), [&]() {
     const std::string around = is_curved() ? curved.substr(std::string("around ").size()) : "";
     whole = WholeMesh<dim>(read_gmsh(path(folder), parameters, refinements, dim, around));
+    if (look)
+      look(whole);
+    if (is_curved())
+      require_arcs(whole, curved);
     if (imperfection != 0. || !imperfection_shape.empty())
       whole.displace(imperfection, imperfection_shape);
     table = whole.table();
@@ -93,10 +102,10 @@ void Mesh<dim>::set_manifold()
 {
   if constexpr (dim == 2)
     tria.set_manifold(0, dealii::PolarManifold<dim>());
-  else if (curved == "around x2")
-    tria.set_manifold(0, dealii::CylindricalManifold<dim>(1));
-  else
+  else if (curved == "around the origin")
     tria.set_manifold(0, dealii::SphericalManifold<dim>());
+  else
+    tria.set_manifold(0, dealii::CylindricalManifold<dim>(curved.back() - '1'));
 }
 
 template <int dim>
@@ -132,9 +141,16 @@ const std::vector<typename Mesh<dim>::Entity>& Mesh<dim>::surface(const std::str
     throw InputError(place + ": it is empty or missing; write one of " +
                      comma_separated(surface_names()));
   const auto found = surfaces.find(name);
-  if (found == surfaces.end())
-    throw InputError(place + ": the mesh has no surface '" + name + "'" +
-                     known_ones(name, surface_names()));
+  if (found == surfaces.end()) {
+    const std::vector<std::string> known = surface_names();
+    const bool are_odd = std::any_of(known.begin(), known.end(), [](const std::string& one) {
+      return one.find_first_of(",:") != std::string::npos;
+    });
+    throw InputError(place + ": the mesh has no surface '" + name + "'" + known_ones(name, known) +
+                     (are_odd ? "; rename in the mesh what has a comma or a colon, as parameter "
+                                "files cannot write it"
+                              : ""));
+  }
   if (table.surfaces.at(name).empty())
     throw InputError(place + ": surface '" + name + "' touches no cell");
   return found->second;

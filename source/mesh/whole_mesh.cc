@@ -200,28 +200,35 @@ void WholeMesh<dim>::displace(const double amplitude, const std::vector<std::str
                " mm turns a cell inside out; choose a smaller one or a smoother shape");
 }
 
-/// A cell is sound as long as its Jacobian is positive at every vertex. Its shape there is the
-/// Jacobian over the product of the lengths of the edges: 1 in a box, 0 where it is flat.
+/// Where it is 1 a cell is a box, where 0 it is flat.
+template <int dim>
+double WholeMesh<dim>::shape_of(const dealii::CellData<dim>& cell) const
+{
+  constexpr unsigned int n = dealii::GeometryInfo<dim>::vertices_per_cell;
+  dealii::Point<dim> corners[n];
+  dealii::Tensor<0, dim> volumes[n];
+  for (unsigned int v = 0; v < n; ++v)
+    corners[v] = vertices[cell.vertices[v]];
+  dealii::GeometryInfo<dim>::alternating_form_at_vertices(corners, volumes);
+  double shape = 1.;
+  for (unsigned int v = 0; v < n; ++v) {
+    double edges = 1.;
+    for (unsigned int d = 0; d < dim; ++d)
+      edges *= corners[v].distance(corners[v ^ (1u << d)]);
+    shape = std::min(shape, edges > 0. ? double(volumes[v]) / edges : 0.);
+  }
+  return shape;
+}
+
+/// A cell is sound as long as its Jacobian is positive at every vertex.
 template <int dim>
 void WholeMesh<dim>::check_shapes(const std::string& complaint)
 {
-  constexpr unsigned int n = dealii::GeometryInfo<dim>::vertices_per_cell;
   known.worst_shape = 1.;
   unsigned int n_bad = 0;
   const dealii::CellData<dim>* bad = nullptr;
   for (const dealii::CellData<dim>& cell : cells) {
-    dealii::Point<dim> corners[n];
-    dealii::Tensor<0, dim> volumes[n];
-    for (unsigned int v = 0; v < n; ++v)
-      corners[v] = vertices[cell.vertices[v]];
-    dealii::GeometryInfo<dim>::alternating_form_at_vertices(corners, volumes);
-    double shape = 1.;
-    for (unsigned int v = 0; v < n; ++v) {
-      double edges = 1.;
-      for (unsigned int d = 0; d < dim; ++d)
-        edges *= corners[v].distance(corners[v ^ (1u << d)]);
-      shape = std::min(shape, edges > 0. ? double(volumes[v]) / edges : 0.);
-    }
+    const double shape = shape_of(cell);
     known.worst_shape = std::min(known.worst_shape, shape);
     if (!(shape > 1e-6)) {
       ++n_bad;
@@ -237,6 +244,15 @@ void WholeMesh<dim>::check_shapes(const std::string& complaint)
                                known.regions[bad->material_id] + "' at " +
                                dealii::Patterns::Tools::to_string(vertices[bad->vertices[0]]) +
                                " mm; mend the geometry or its parameters");
+}
+
+template <int dim>
+unsigned int WholeMesh<dim>::n_bodies() const
+{
+  unsigned int n = 0;
+  for (const MeshTable::Part& part : known.parts)
+    n = std::max(n, part.body + 1);
+  return n;
 }
 
 template <int dim>
@@ -268,6 +284,14 @@ MeshTable WholeMesh<dim>::table() const
 {
   MeshTable result = known;
   result.fingerprint = fingerprint();
+  const auto counted = [](const std::size_t n, const std::string& one, const std::string& several) {
+    return std::to_string(n) + " " + (n == 1 ? one : several);
+  };
+  result.remarks = contacts(*this);
+  result.remarks.insert(result.remarks.begin(),
+                        "mesh: " + counted(cells.size(), "cell", "cells") + ", " +
+                            counted(known.regions.size(), "region", "regions") + ", " +
+                            counted(n_bodies(), "body", "bodies"));
   return result;
 }
 

@@ -90,4 +90,13 @@ std::optional<Outcome> read_run_report(const std::string& file)
   }
 }
 
+std::string scene_of_report(const std::string& file)
+{
+  std::ifstream stream(file);
+  const ordered_json report = ordered_json::parse(stream, nullptr, false);
+  return report.is_object() && report.contains("scene") && report["scene"].is_string()
+             ? report["scene"].get<std::string>()
+             : "";
+}
+
 } // namespace thelma

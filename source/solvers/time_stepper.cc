@@ -1,3 +1,4 @@
+#include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
 #include <thelma/base/quantity.h>
 #include <thelma/solvers/time_stepper.h>
@@ -27,18 +28,46 @@ void TimeStepper::declare(dealii::ParameterHandler& prm)
                "nodes); 0: every step is as long as the first.",
                Quantity("K", 0.).of_difference());
   add_quantity(prm, "Stops", wanted_stops,
-               "Times that the steps meet, beside the corners of amplitudes given as tables.",
+               "Times that the steps meet, beside the corners and jumps of amplitudes and, unless "
+               "the Tolerance is 0, the times between which these are straight within 2 %.",
                Quantity("s", 0.), 0, 1000000);
 }
 
-void TimeStepper::start(const std::vector<double>& kinks)
+void TimeStepper::start(const std::vector<double>& kinks, const std::vector<double>& bends)
 {
+  constexpr double instant = 1e-9;
   time = trial = 0.;
   size = std::min(initial, largest);
   stops = kinks;
   stops.insert(stops.end(), wanted_stops.begin(), wanted_stops.end());
-  stops.push_back(end);
+  if (tolerance > 0.)
+    stops.insert(stops.end(), bends.begin(), bends.end());
   std::sort(stops.begin(), stops.end());
+  const auto is_near = [&](const double a, const double b) { return b - a < instant * end; };
+  stops.erase(std::unique(stops.begin(), stops.end(), is_near), stops.end());
+  stops.erase(std::lower_bound(stops.begin(), stops.end(), (1. - instant) * end), stops.end());
+  stops.push_back(end);
+}
+
+std::string TimeStepper::steps_over(std::vector<double> bends) const
+{
+  constexpr std::size_t most = 20000;
+  if (bends.size() > most)
+    return "warning: the amplitudes change so often up to Time/End that time steps may pass over "
+           "some of it; shorten Time/End, or give them as tables";
+  if (tolerance > 0. || bends.empty())
+    return "";
+  bends.push_back(0.);
+  std::sort(bends.begin(), bends.end());
+  double shortest = end;
+  for (std::size_t k = 1; k < bends.size(); ++k)
+    shortest = std::min(shortest, bends[k] - bends[k - 1]);
+  const double step = std::min(initial, largest);
+  if (step <= 2. * shortest)
+    return "";
+  return "warning: time steps of " + as_text(step) +
+         " s pass over amplitudes that are not straight " + "for longer than " + as_text(shortest) +
+         " s; choose a shorter Time/Initial step, or a Time/Tolerance above 0";
 }
 
 double TimeStepper::next()

@@ -186,7 +186,7 @@ end
 """
 OF_VALUES = [(":1,", "an integer from 2 to 3"), (":3, section Mesh", "there is no file"),
              (":4,", "write `name: value"), (":7,", "'film' is given twice"),
-             (":11,", "each value a number"), (":14,", "must be `name: value`"),
+             (":11,", "'one' is not a number"), (":14,", "must be `name: value`"),
              (":15,", "write it as u1 2.5"), (":18,", "20 degC"), (":19,", "mean 'steady'?"),
              (":22,", "at least 0"), (":23,", "known units: degC, "), (":26,", "3 components"),
              (":29,", "decimal point"), (":30,", "a number from 1e-12 to 1"),

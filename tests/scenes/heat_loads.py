@@ -51,6 +51,22 @@ def check_transient(program, folder):
         check_value(f"flux as a {what}", case.curve("theta_K")["theta_K"][-1], exact, 0.03)
 
 
+def check_nothing_is_stepped_over(program, folder):
+    """In steps that the error chooses, a second of 1 K/s in a hundred is not missed, and a voltage of
+    10 Hz has 30 periods in 3 s."""
+    case = run(program, folder, SLAB, ["Temperature/Fixed=", "Time/End=100", "Heat/Flux=bottom: 0.96",
+                                       "Time/Heat amplitude=(t > 50)*(t < 51)"])
+    check_value("pulse as an expression", case.curve("theta_K")["theta_K"][-1], 294, 0.02)
+    case = run(program, folder, "planar_actuator",
+               ["Temperature/Model=transient", "Loading/Target=0.1", "Loading/Expected end=target",
+                "Time/Voltage amplitude=sin(2*pi*10*t)", "Time/End=3",
+                "Expectations/Final values="])
+    e = case.curve("e")["e"]
+    turns = sum(a < 0 <= b for a, b in zip(e, e[1:]))
+    print(f"10 Hz for 3 s: {len(e)} steps, {turns} turns from below to above 0, up to {max(e)}")
+    require(turns in (29, 30) and max(e) > 0.099, "periods are stepped over")
+
+
 def check_wall_amplitude(program, folder):
     """A wall follows its table: half-way from 293 to 353 K after 1 s."""
     case = run(program, folder, SLAB, ["Time/Wall amplitude=0: 0, 2: 1", "Time/End=1"])
@@ -96,6 +112,7 @@ def main():
         for ranks in all_ranks:
             check_steady(program, folder, ranks)
         check_transient(program, folder)
+        check_nothing_is_stepped_over(program, folder)
         check_wall_amplitude(program, folder)
         check_no_conduction(program, folder)
         check_pull_in(program, folder)

@@ -248,7 +248,7 @@ TEST(TimeStepper, ReturnsToItsLengthAfterACut)
   stepper.declare(prm);
   prm.parse_input_from_string("subsection Time\nset End = 10\nset Initial step = 1\n"
                               "set Tolerance = 0\nset Stops = 0.5, 4.25\nend\n");
-  stepper.start({});
+  stepper.start({}, {});
   EXPECT_EQ(stepper.next(), 0.5);
   stepper.cut_back();
   std::vector<double> times;
@@ -273,7 +273,7 @@ TEST(TimeStepper, JudgesTheFirstStep)
   stepper.declare(prm);
   prm.parse_input_from_string("subsection Time\nset End = 10\nset Initial step = 1\n"
                               "set Tolerance = 1e-5\nend\n");
-  stepper.start({});
+  stepper.start({}, {});
   const auto result = [](const double t) { return 1. / (1. + t); };
   double taken = stepper.next(), estimate = 0.;
   std::optional<StepError> error;

@@ -26,6 +26,7 @@ struct CommandLine {
   static std::string help();
 
   Action action = Action::run;
+  std::string topic; ///< the word after help, list or defaults: show that part
   std::string file;
   std::string output; ///< default: output/<name of the file>
   std::vector<Override> overrides;

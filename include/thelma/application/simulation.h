@@ -41,9 +41,9 @@ struct SingleRun {
 /// Whether @p folder already holds what run_scene() would write.
 bool is_finished(const ParameterFile& file, const std::string& folder);
 
-/// Read and set up the scene without running it; throws InputError with all problems, else a
-/// sentence about the mesh and what would be modelled.
-std::string check_scene(MPI_Comm comm, const ParameterFile& file);
+/// Read and set up the scene without running it and write its mesh into @p folder; throws
+/// InputError with all problems, else a sentence about the mesh and what would be modelled.
+std::string check_scene(MPI_Comm comm, const ParameterFile& file, const std::string& folder);
 
 /// Every entry of a three-dimensional scene with all observables and a material of each elastic
 /// law, with default, unit and meaning.

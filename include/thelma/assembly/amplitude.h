@@ -5,9 +5,16 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace thelma
 {
+
+/// Times in s at which an amplitude has kinks or is about to jump, and between which it is nearly
+/// straight.
+struct AmplitudeTimes {
+  std::vector<double> kinks, bends;
+};
 
 /// A multiple over time: a muParser expression of t in s, or a table `time: value, time: value`
 /// with straight lines between its rows and constants beyond them.
@@ -19,10 +26,13 @@ public:
 
   double operator()(double time) const;
 
-  /// The times in s at which it has kinks.
-  const std::map<double, double>& table() const { return rows; }
+  /// What steps up to @p end (s) must not step over. Throws InputError if it is not finite there.
+  AmplitudeTimes times(double end) const;
 
 private:
+  AmplitudeTimes times_of_formula(double end) const;
+
+  std::string place, text;
   std::map<double, double> rows;
   std::shared_ptr<const Formula<1>> formula;
 };

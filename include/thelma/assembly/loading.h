@@ -55,6 +55,8 @@ public:
   double charge(double level) const { return level * target_charge; }   ///< uC
   double field(double voltage) const { return voltage * field_per_voltage; }
 
+  double thickness() const { return film_thickness; } ///< mm
+
   /// Width of the bracket around a pull-in, as a part of the target.
   double resolution() const
   {

@@ -63,4 +63,9 @@ private:
 template <int dim>
 double potential(const Electrode& electrode, const FieldLayout<dim>& layout, const BlockVector& x);
 
+/// Smallest distance in mm between nodes of two @p electrodes of one body that differ by the whole
+/// applied voltage; 0 if there are no such two. To be called by every rank.
+template <int dim>
+double electrode_distance(const Mesh<dim>& mesh, const std::vector<Electrode>& electrodes);
+
 } // namespace thelma

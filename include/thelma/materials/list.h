@@ -50,14 +50,17 @@ public:
 
   void declare(dealii::ParameterHandler& prm);
 
-  /// Throws InputError for moduli that make no sense at @p theta.
-  void check(double theta) const;
+  /// Finds moduli that follow others. Throws InputError for those that make no sense at @p theta.
+  void check(double theta);
 
   /// The same of what conducts and, if the temperature changes @p in_time, stores heat.
   void check_heat(bool in_time) const;
 
   /// A line for each material: where it is, its laws and moduli at @p theta in K.
   std::vector<std::string> summary(double theta) const;
+
+  /// Warnings about moduli that do not fit each other, a sentence each.
+  std::vector<std::string> doubts() const;
 
   /// Common temperature in K at which the undeformed materials are free of stress.
   /// Throws InputError if they differ.

@@ -14,6 +14,10 @@ class Thermal
 public:
   void declare(dealii::ParameterHandler& prm);
 
+  /// Find K, if it is given by its ratio to the shear modulus @p mu (MPa at theta_0) or by
+  /// Poisson's ratio. Throws InputError, with a sentence without place, if it is given twice.
+  void follow(double mu);
+
   /// F_EM = split(theta) F with split = J_theta^{-1/3} = exp(-alpha (theta - theta_0)).
   template <typename Number>
   Number split(const Number& theta) const
@@ -98,9 +102,12 @@ public:
 
   double theta_0 = 293.; ///< reference temperature, K
   double alpha = 0.;     ///< linear thermal expansion, 1/K
-  double K = 56.552;     ///< bulk modulus, MPa
+  double K = 56.552;     ///< bulk modulus, MPa (Lame's lambda: that of small strain is K + 2 mu/3)
   double c = 1.92;       ///< volumetric heat capacity, MPa/K
   double k = 0.16;       ///< conductivity, N/(s K)
+
+private:
+  double K_over_mu = 0., poisson_ratio = 0.; ///< 0: K is given
 };
 
 } // namespace thelma

@@ -6,6 +6,7 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/distributed/fully_distributed_tria.h>
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -34,7 +35,10 @@ public:
   /// The mesh's file, looked up from the working directory, then from @p folder.
   std::string path(const std::string& folder) const { return located(file, folder); }
 
-  void read(const std::string& folder);
+  using Look = std::function<void(const WholeMesh<dim>&)>;
+
+  /// Rank 0 may @p look at all of it, without its imperfection.
+  void read(const std::string& folder, const Look& look = {});
 
   /// Whether the edges of cells are arcs, so that quadratic elements need a quadratic geometry.
   bool is_curved() const { return curved != "nowhere"; }
@@ -66,6 +70,9 @@ public:
 
   /// Smallest Jacobian at a vertex over the product of the edges there: 1 in a mesh of boxes.
   double shape() const { return table.worst_shape; }
+
+  /// What it has, and warnings, a sentence each.
+  const std::vector<std::string>& remarks() const { return table.remarks; }
 
   /// A checksum of all vertices and cells.
   std::uint32_t fingerprint() const { return table.fingerprint; }

@@ -45,13 +45,14 @@ struct MeshTable {
   std::vector<std::string> regions;
   std::vector<Part> parts;                            ///< by the material id of their cells
   std::map<std::string, std::vector<Place>> surfaces; ///< and lines and points, on all their cells
+  std::vector<std::string> remarks;                   ///< sentences for the user
   double worst_shape = 1.; ///< smallest Jacobian at a vertex over the product of the edges there
   std::uint32_t fingerprint = 0; ///< a checksum of all vertices, cells, regions and surfaces
 
   template <class Archive>
   void serialize(Archive& archive, unsigned int)
   {
-    archive& regions& parts& surfaces& worst_shape& fingerprint;
+    archive& regions& parts& surfaces& remarks& worst_shape& fingerprint;
   }
 };
 
@@ -73,6 +74,16 @@ public:
   /// To be called last.
   MeshTable table() const;
 
+  const std::string& region_of_part(const unsigned int part) const
+  {
+    return known.regions[known.parts[part].region];
+  }
+  unsigned int body_of_part(const unsigned int part) const { return known.parts[part].body; }
+  unsigned int n_bodies() const;
+
+  /// Smallest Jacobian at a vertex over the product of the edges there.
+  double shape_of(const dealii::CellData<dim>& cell) const;
+
   std::vector<dealii::Point<dim>> vertices; ///< in mm
   std::vector<dealii::CellData<dim>> cells; ///< their material is the number of the part
 
@@ -84,5 +95,18 @@ private:
 
   MeshTable known;
 };
+
+/// A warning, as a sentence, for all that lies together in space but not in the mesh.
+template <int dim>
+std::vector<std::string> contacts(const WholeMesh<dim>& mesh);
+
+/// Throws InputError unless every edge is an arc @p around an axis, as `around x2`, or `around the
+/// origin`, or leads away from that.
+template <int dim>
+void require_arcs(const WholeMesh<dim>& mesh, const std::string& around);
+
+/// The text of a VTU file: cells with region, body and shape, and the cells of every named group.
+template <int dim>
+std::string picture(const WholeMesh<dim>& mesh);
 
 } // namespace thelma

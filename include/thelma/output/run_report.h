@@ -15,4 +15,7 @@ void write_run_report(const Outcome& outcome, const std::string& scene, const st
 /// is no such file or it cannot be read.
 std::optional<Outcome> read_run_report(const std::string& file);
 
+/// The path of the scene whose report @p file is; empty if it cannot be read.
+std::string scene_of_report(const std::string& file);
+
 } // namespace thelma

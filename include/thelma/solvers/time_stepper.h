@@ -22,8 +22,12 @@ class TimeStepper
 public:
   void declare(dealii::ParameterHandler& prm);
 
-  /// Begin at time 0; the steps meet each of the times @p kinks, and those that the scene names.
-  void start(const std::vector<double>& kinks);
+  /// Begin at time 0; the steps meet each of the times @p kinks, those that the scene names and,
+  /// where their length is not given, the times @p bends.
+  void start(const std::vector<double>& kinks, const std::vector<double>& bends);
+
+  /// A warning about @p bends that steps pass over; empty if there are none.
+  std::string steps_over(std::vector<double> bends) const;
 
   /// Order of the differences: 1 (backward Euler) or 2.
   unsigned int order() const { return scheme == "BDF2" ? 2 : 1; }

@@ -1,0 +1,232 @@
+#include <thelma/base/complaints.h>
+#include <thelma/mesh/physical_groups.h>
+
+#include <gmsh.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace thelma
+{
+namespace
+{
+
+const std::string place = "section Mesh, entry 'File': ";
+
+/// As gmsh calls an entity of this dimension.
+std::string kind_name(const int dimension)
+{
+  return dimension == 3   ? "volume"
+         : dimension == 2 ? "surface"
+         : dimension == 1 ? "curve"
+                          : "point";
+}
+
+using Groups = std::vector<std::pair<int, int>>; ///< dimension and tag
+
+/// The names that the file itself gives, with every group that has each: gmsh keeps one name of
+/// each. In a .msh they are text, also if the rest is not.
+std::map<std::string, Groups> names_of_msh(const std::string& file)
+{
+  std::map<std::string, Groups> result;
+  std::ifstream stream(file, std::ios::binary);
+  std::string line;
+  while (std::getline(stream, line) && line.rfind("$PhysicalNames", 0) != 0)
+    if (line.rfind("$Nodes", 0) == 0)
+      return result;
+  std::getline(stream, line); // how many
+  while (std::getline(stream, line) && line.rfind("$End", 0) != 0) {
+    std::istringstream words(line);
+    int dimension = 0, tag = 0;
+    const std::size_t begin = line.find('"'), end = line.rfind('"');
+    if (words >> dimension >> tag && begin < end)
+      result[line.substr(begin + 1, end - begin - 1)].emplace_back(dimension, tag);
+  }
+  return result;
+}
+
+std::map<std::string, Groups> names_of_model()
+{
+  std::map<std::string, Groups> result;
+  gmsh::vectorpair groups;
+  gmsh::model::getPhysicalGroups(groups);
+  for (const auto& [dimension, tag] : groups) {
+    std::string name;
+    gmsh::model::getPhysicalName(dimension, tag, name);
+    if (!name.empty())
+      result[name].emplace_back(dimension, tag);
+  }
+  return result;
+}
+
+/// `surface 21 and surface 22`
+std::string listed(const Groups& groups)
+{
+  std::string text;
+  for (const auto& [dimension, tag] : groups)
+    text += (text.empty() ? "" : " and ") + kind_name(dimension) + " " + std::to_string(tag);
+  return text;
+}
+
+void require_one_group_a_name(const std::string& file)
+{
+  Complaints complaints;
+  for (const auto& names : {names_of_msh(file), names_of_model()})
+    for (const auto& [name, groups] : names)
+      if (groups.size() > 1)
+        complaints.add(place + "'" + file + "' gives one name, '" + name + "', to the physical " +
+                       listed(groups) + "; give each its own, or make them one group");
+  complaints.raise();
+}
+
+/// A partitioned mesh gives what lies between its parts to groups of the number of the whole.
+bool is_end_of_partition(const int dimension, const int tag)
+{
+  std::vector<int> entities;
+  gmsh::model::getEntitiesForPhysicalGroup(dimension, tag, entities);
+  return std::all_of(entities.begin(), entities.end(), [&](const int entity) {
+    std::vector<int> partitions;
+    gmsh::model::getPartitions(dimension, entity, partitions);
+    return partitions.size() > 1;
+  });
+}
+
+void require_names(const std::string& file, const int dim)
+{
+  gmsh::vectorpair groups;
+  gmsh::model::getPhysicalGroups(groups);
+  Complaints complaints;
+  for (const auto& [dimension, tag] : groups) {
+    std::string name;
+    gmsh::model::getPhysicalName(dimension, tag, name);
+    if (name.empty() && dimension <= dim && !is_end_of_partition(dimension, tag))
+      complaints.add(place + "the physical " + kind_name(dimension) + " " + std::to_string(tag) +
+                     " of '" + file + "' has no name; give it one, or remove it");
+    if (dimension == dim && name.find_first_of(",:") != std::string::npos)
+      complaints.add(place + "the name of the region '" + name + "' of '" + file +
+                     "' has a comma or a colon, which parameter files cannot write; rename it");
+  }
+  complaints.raise();
+}
+
+std::size_t n_elements(const int dimension, const int entity)
+{
+  std::vector<int> types;
+  std::vector<std::vector<std::size_t>> elements, nodes;
+  gmsh::model::mesh::getElements(types, elements, nodes, dimension, entity);
+  std::size_t n = 0;
+  for (const auto& of_type : elements)
+    n += of_type.size();
+  return n;
+}
+
+void require_regions_of_all_cells(const std::string& file, const int dim)
+{
+  gmsh::vectorpair entities;
+  gmsh::model::getEntities(entities, dim);
+  std::size_t n = 0;
+  for (const auto& entity : entities) {
+    std::vector<int> groups;
+    gmsh::model::getPhysicalGroupsForEntity(dim, entity.second, groups);
+    if (groups.empty())
+      n += n_elements(dim, entity.second);
+  }
+  if (n > 0)
+    throw InputError(place + std::to_string(n) + " cells of '" + file + "' belong to no physical " +
+                     kind_name(dim) + "; name every " + kind_name(dim) +
+                     ", or remove what is not part of the body");
+}
+
+/// Vertices per element of the linear point, line, quadrilateral and hexahedron; 0 for any other.
+unsigned int vertices_of_type(const int type)
+{
+  const std::map<int, unsigned int> linear{{15, 1}, {1, 2}, {3, 4}, {5, 8}};
+  const auto found = linear.find(type);
+  return found == linear.end() ? 0 : found->second;
+}
+
+/// How to mesh @p group without elements of this type.
+std::string remedy(const PhysicalGroup& group, const int type)
+{
+  std::string name;
+  int dimension = 0, order = 0, n_nodes = 0, n_primary = 0;
+  std::vector<double> points;
+  gmsh::model::mesh::getElementProperties(type, name, dimension, order, n_nodes, points, n_primary);
+  if (order > 1)
+    return "mesh it with order 1 (Mesh.ElementOrder = 1; gmsh -order 1)";
+  return group.dimension == 3
+             ? "mesh it with transfinite or extruded volumes and Recombine, or cut tetrahedra into "
+               "hexahedra by Mesh.SubdivisionAlgorithm = 2"
+             : "mesh it with Recombine Surface or Mesh.RecombineAll = 1, or cut triangles into "
+               "quadrilaterals by Mesh.SubdivisionAlgorithm = 1";
+}
+
+void read_elements(PhysicalGroup& group, const int tag,
+                   const std::map<std::size_t, unsigned int>& index)
+{
+  std::vector<int> entities;
+  gmsh::model::getEntitiesForPhysicalGroup(group.dimension, tag, entities);
+  for (const int entity : entities) {
+    std::vector<int> types;
+    std::vector<std::vector<std::size_t>> elements, nodes;
+    gmsh::model::mesh::getElements(types, elements, nodes, group.dimension, entity);
+    for (std::size_t t = 0; t < types.size(); ++t) {
+      const unsigned int n = vertices_of_type(types[t]);
+      if (n == 0)
+        throw InputError(place + "'" + group.name + "' has " + std::to_string(elements[t].size()) +
+                         " elements that are not linear " +
+                         (group.dimension == 3   ? "hexahedra"
+                          : group.dimension == 2 ? "quadrilaterals"
+                                                 : "lines") +
+                         "; " + remedy(group, types[t]));
+      for (std::size_t i = 0; i < nodes[t].size(); i += n) {
+        group.elements.emplace_back();
+        for (std::size_t v = i; v < i + n; ++v) {
+          const auto found = index.find(nodes[t][v]);
+          if (found == index.end())
+            throw InputError(place + "an element of '" + group.name + "' has the node " +
+                             std::to_string(nodes[t][v]) +
+                             ", which the file does not have; save the mesh again");
+          group.elements.back().push_back(found->second);
+        }
+      }
+    }
+  }
+}
+
+void require_cells(const std::string& file, const PhysicalGroup& region)
+{
+  if (region.elements.empty())
+    throw InputError(place + "the region '" + region.name + "' of '" + file +
+                     "' has no cells; mesh it in " + (region.dimension == 3 ? "three" : "two") +
+                     " dimensions (in a .geo without `Mesh` commands that is done here)");
+}
+
+} // namespace
+
+std::vector<PhysicalGroup> read_physical_groups(const std::string& file, const int dim,
+                                                const std::map<std::size_t, unsigned int>& index)
+{
+  require_one_group_a_name(file);
+  require_names(file, dim);
+  std::vector<PhysicalGroup> result;
+  gmsh::vectorpair groups;
+  gmsh::model::getPhysicalGroups(groups);
+  for (const auto& [dimension, tag] : groups)
+    if (dimension <= dim) {
+      PhysicalGroup group{"", dimension, {}};
+      gmsh::model::getPhysicalName(dimension, tag, group.name);
+      if (group.name.empty())
+        continue;
+      read_elements(group, tag, index);
+      if (dimension == dim)
+        require_cells(file, group);
+      result.push_back(group);
+    }
+  require_regions_of_all_cells(file, dim);
+  return result;
+}
+
+} // namespace thelma
