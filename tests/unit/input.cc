@@ -192,7 +192,7 @@ TEST(Input, EntriesWithoutEffectAreTold)
 {
   const auto told = [](const std::vector<Override>& changes) {
     const ParameterFile file(THELMA_SOURCE_DIR "/prm/verification/slab_heating.prm", changes);
-    return joined(lines_of(check_scene(MPI_COMM_SELF, file), "without effect"));
+    return joined(lines_of(check_scene(MPI_COMM_SELF, file, testing::TempDir()), "without effect"));
   };
   EXPECT_EQ(told({}), "");
   EXPECT_EQ(told({{{"Stepping"}, "Most steps", "5"},
