@@ -193,7 +193,7 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::advance()
       const double rest = metric.length(state.x.block(0), found->load);
       state.accept(found->load);
       predictor.adapt(surprise);
-      stepper.accept(found->report.iterations, surprise,
+      stepper.accept(newton.telling_iterations(found->report), surprise,
                      std::min(0.3 * rest, largest_step / std::abs(found->slope)));
       found->step = stepper.step();
       return found;

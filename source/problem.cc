@@ -156,7 +156,7 @@ bool Problem<dim>::follow(Stepper& steps, const LoadSymmetry symmetry,
     }
     predictor.adapt(surprise);
     state.accept(load);
-    steps.accept(report.iterations, state.estimated_limit());
+    steps.accept(newton.telling_iterations(report), state.estimated_limit());
     on_accept(load, report);
     if (!steps.finished() && hands_over(steps, symmetry, false))
       return false;

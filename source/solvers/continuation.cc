@@ -60,7 +60,7 @@ void BorderedSystem::move_to(const double step)
 void ArcStepper::accept(const unsigned int newton_iterations, const double surprise,
                         const double longest)
 {
-  constexpr unsigned int easy = 5, hard = 9;
+  constexpr unsigned int easy = 4, hard = 8;
   constexpr double small = 0.1, large = 0.4;
   if (newton_iterations >= hard || surprise > large)
     size /= 2.;

@@ -116,4 +116,11 @@ NewtonEffort Newton::refine(NonlinearSystem& system, const double residual) cons
   return effort;
 }
 
+unsigned int Newton::telling_iterations(const NewtonReport& report) const
+{
+  constexpr double near = 10.;
+  return std::count_if(report.residuals.begin(), report.residuals.end() - 1,
+                       [&](const double before) { return before > near * tolerance; });
+}
+
 } // namespace thelma

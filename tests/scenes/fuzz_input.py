@@ -89,8 +89,8 @@ def verdict(program, arguments, name):
     lines = sentences(done.stderr.decode(errors="replace"))
     if done.returncode == 0 and not lines:
         return "", False
-    sentences = all(line.startswith("thelma: ") and "internal error" not in line for line in lines)
-    if done.returncode == 1 and lines and sentences:
+    clean = all(line.startswith("thelma: ") and "internal error" not in line for line in lines)
+    if done.returncode == 1 and lines and clean:
         return "", True
     return f"{name}: exit code {done.returncode}\n" + "\n".join(lines[:20]), False
 

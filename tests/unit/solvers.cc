@@ -130,6 +130,19 @@ TEST(Newton, ReusesATangentThatServesWell)
   EXPECT_GT(report.iterations, 1u);
 }
 
+TEST(Newton, CountsNoIterationThatRoundingDecidesOn)
+{
+  NewtonReport report;
+  for (const double last : {0.9e-10, 1.1e-10}) {
+    report.residuals = {1., 1e-3, last};
+    EXPECT_EQ(Newton().telling_iterations(report), 2u);
+    report.residuals.push_back(1e-13);
+    EXPECT_EQ(Newton().telling_iterations(report), 2u);
+  }
+  report.residuals = {1., 1e-3, 1e-6, 1e-12};
+  EXPECT_EQ(Newton().telling_iterations(report), 3u);
+}
+
 TEST(Newton, KeepsTheDeterminantPositive)
 {
   Exponential system;

@@ -128,6 +128,10 @@ public:
   /// rounding: to where differences between states nearby are known.
   NewtonEffort refine(NonlinearSystem& system, double residual) const;
 
+  /// Iterations without the one that began next to the tolerance, for rounding decides whether it
+  /// is made: what the next step's size is chosen by, the same on any number of ranks.
+  unsigned int telling_iterations(const NewtonReport& report) const;
+
   /// The scaled residual of a state that has converged.
   double converged_residual() const { return tolerance; }
 
