@@ -59,12 +59,12 @@ PathFollowing<dim>::locate(const double low, const double high, const double tol
   return lost ? Solution{} : between((bracket.first + bracket.second) / 2.);
 }
 
-/// The load differs from that of the limit point by the square of the arc length only.
+/// Its load hardly depends on the place, its state does.
 template <int dim>
 typename PathFollowing<dim>::Solution PathFollowing<dim>::locate_limit(const double low,
                                                                        const double high)
 {
-  return locate(low, high, 1e-5, [](const PathState& found) { return found.slope; });
+  return locate(low, high, 1e-8, [](const PathState& found) { return found.slope; });
 }
 
 /// Where the smallest eigenvalue is zero; the count of unstable directions is its sign.
