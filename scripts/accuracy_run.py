@@ -8,6 +8,7 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
+import launch
 from accuracy_cases import MODELS, ROOT, TARGETS, reference
 from accuracy_table import Row
 
@@ -36,9 +37,7 @@ class Program:
         mpirun = shutil.which("mpirun")
         if not mpirun:
             raise AccuracyError("there is no mpirun on the PATH; install Open MPI.")
-        root = ["--allow-run-as-root"] if os.geteuid() == 0 else []
-        return [mpirun, "--mca", "orte_execute_quiet", "1", "--oversubscribe", *root, "--bind-to",
-                "none", "-np", str(ranks), *command]
+        return [*launch.on_ranks(mpirun, ranks), *command]
 
     def start(self, arguments, ranks=1):
         """(exit code, printed text, peak memory in MB of the largest process)."""

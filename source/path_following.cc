@@ -167,8 +167,10 @@ bool PathFollowing<dim>::examine(const Plane& plane, PathState& found)
   if (residual.norm > noise * before) {
     bordered.move_to(0.);
     residual = bordered.residual();
-  } else
+  } else if (residual.norm > newton.converged_residual()) {
     spent.add(newton.refine(bordered, newton.converged_residual()));
+    residual = bordered.residual();
+  }
   found.report.residuals.push_back(residual.norm);
   found.report.min_det_F = residual.min_det_F;
   ++found.report.iterations;

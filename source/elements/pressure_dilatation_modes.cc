@@ -78,21 +78,17 @@ PressureDilatation<dim>::invert_mass(const PointGeometry<dim>* geometry) const
   return inverse;
 }
 
-template std::vector<dealii::Point<2>> PressureDilatation<2>::points(unsigned int);
-template std::vector<Modes> PressureDilatation<2>::polynomials(unsigned int, unsigned int);
-template Modes PressureDilatation<2>::modes_at(const dealii::Point<2>&) const;
-template double PressureDilatation<2>::pressure(const CellView<2>&, const dealii::Point<2>&,
-                                                const PointState<>&) const;
-template Modes PressureDilatation<2>::times(const ModeMatrix&, const Modes&) const;
-template PressureDilatation<2>::ModeMatrix
-PressureDilatation<2>::invert_mass(const PointGeometry<2>*) const;
-template std::vector<dealii::Point<3>> PressureDilatation<3>::points(unsigned int);
-template std::vector<Modes> PressureDilatation<3>::polynomials(unsigned int, unsigned int);
-template Modes PressureDilatation<3>::modes_at(const dealii::Point<3>&) const;
-template double PressureDilatation<3>::pressure(const CellView<3>&, const dealii::Point<3>&,
-                                                const PointState<>&) const;
-template Modes PressureDilatation<3>::times(const ModeMatrix&, const Modes&) const;
-template PressureDilatation<3>::ModeMatrix
-PressureDilatation<3>::invert_mass(const PointGeometry<3>*) const;
+#define INSTANTIATE(dim)                                                                           \
+  template std::vector<dealii::Point<dim>> PressureDilatation<dim>::points(unsigned int);          \
+  template std::vector<Modes> PressureDilatation<dim>::polynomials(unsigned int, unsigned int);    \
+  template Modes PressureDilatation<dim>::modes_at(const dealii::Point<dim>&) const;               \
+  template double PressureDilatation<dim>::pressure(                                               \
+      const CellView<dim>&, const dealii::Point<dim>&, const PointState<>&) const;                 \
+  template Modes PressureDilatation<dim>::times(const ModeMatrix&, const Modes&) const;            \
+  template PressureDilatation<dim>::ModeMatrix PressureDilatation<dim>::invert_mass(               \
+      const PointGeometry<dim>*) const;
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
 
 } // namespace thelma

@@ -10,7 +10,7 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from scene import sentences, program_and_ranks, require
+from scene import program_and_ranks, require, sentences
 
 TETRAHEDRA = """SetFactory("OpenCASCADE");
 Box(1) = {0, 0, 0, 5, 5, 1};

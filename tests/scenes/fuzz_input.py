@@ -12,7 +12,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from scene import sentences, program_and_ranks, require
+from scene import program_and_ranks, require, sentences
 
 LIMIT = 60  # s; a sound one takes a third of a second
 SEED = 3
