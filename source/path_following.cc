@@ -250,24 +250,27 @@ void PathFollowing<dim>::resume()
   system.residual(); // for the reactions
 }
 
-/// Whether the path ends before @p next; then the iterate is its end.
+/// Whether the path ends before @p next; then the iterate is its end. What is passed in one step is
+/// passed in an order.
 template <int dim>
 std::optional<typename PathFollowing<dim>::End> PathFollowing<dim>::finish(const Task& task,
                                                                            const PathState& next)
 {
+  const bool passes_target = here.load < 1. && next.load >= 1.,
+             passes_value = task.remainder && task.remainder() * remainder <= 0.;
+  if (!passes_target && !passes_value)
+    return next.load < 0. ? std::optional<End>(End::no_load) : std::nullopt;
   Solution last;
-  End end = End::target;
-  if (here.load < 1. && next.load >= 1.)
-    last = land_on_target();
-  else if (task.remainder && task.remainder() * remainder <= 0.) {
+  End end = End::observable;
+  if (passes_value) {
     const std::vector<double> arc = places();
     last = locate(arc[arc.size() - 2], arc.back(), 1e-10,
                   [&](const PathState&) { return task.remainder(); });
-    end = End::observable;
-  } else if (next.load < 0.)
-    return End::no_load;
-  else
-    return {};
+  }
+  if (passes_target && (!last || last->load > 1.)) {
+    last = land_on_target();
+    end = End::target;
+  }
   if (!last)
     return End::lost;
   task.record(*last);

@@ -1,4 +1,5 @@
 #include <thelma/base/quantity.h>
+#include <thelma/path_ridge.h>
 #include <thelma/problem.h>
 
 #include <deal.II/base/mpi.h>
@@ -216,22 +217,7 @@ bool Problem<dim>::jumps(NewtonReport& report, const Stepper& steps)
       system.is_symmetric() && system.unstable_directions(report.most_negative_pivots) > most;
   if (surprise < trusted && !passed_less_stable)
     return false;
-  const BlockVector found = state.x;
-  const std::vector<double> internal = state.internal;
-  const State::Accepted& last = state.path().back();
-  state.x.block(0).sadd(1. / 3., 2. / 3., last.x.block(0));
-  state.x.update_ghost_values();
-  system.relax_internal();
-  bool has_ridge = !system.residual().admissible();
-  if (!has_ridge) {
-    LinearReport there = system.linear_solve(false);
-    if (there.solved)
-      there = system.count_pivots(there.negative_pivots);
-    report.add({0, 1, there.iterations});
-    has_ridge = !there.solved || system.unstable_directions(there.negative_pivots) > most;
-  }
-  state.x = found;
-  state.internal = internal;
+  const bool has_ridge = is_beyond_ridge(system, state, most, report);
   system.residual(); // for the reactions
   return has_ridge;
 }

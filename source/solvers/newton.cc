@@ -13,7 +13,7 @@ void Newton::declare(dealii::ParameterHandler& prm)
   const Section section(prm, {"Newton"});
   prm.add_parameter("Tolerance", tolerance,
                     "Scaled residual at which a step has converged; dimensionless: residual "
-                    "stress over shear modulus.",
+                    "stress over shear modulus. Where rounding makes more of it, that ends a step.",
                     Double(1e-14, 1e-6)); // a coarser state tells nothing of its stability
   prm.add_parameter("Reuse tangent", reuses,
                     "Whether a factorised tangent serves for further iterations while that is "
@@ -40,6 +40,17 @@ bool Newton::worth_reusing(const NewtonReport& report, const LinearReport& linea
   const double rate = tries && report.residuals.size() > 2 ? std::sqrt(r[0] / r[2]) : r[0] / r[1];
   return rate < steady &&
          std::log(r[0] / tolerance) < std::min(linear.cost, most) * std::log(1. / rate);
+}
+
+/// Of residuals before and after a correction by a fresh tangent.
+bool Newton::is_rounding(NonlinearSystem& system, NewtonReport& report) const
+{
+  constexpr double steady = 0.5, coarsest = 1e-6, slack = 4.;
+  const auto r = report.residuals.rbegin();
+  if (r[0] > coarsest || r[0] < steady * r[1])
+    return false;
+  report.rounding = system.rounding();
+  return r[0] <= slack * report.rounding;
 }
 
 NewtonReport Newton::solve(NonlinearSystem& system, bool reuse) const
@@ -87,7 +98,8 @@ NewtonReport Newton::solve(NonlinearSystem& system, bool reuse) const
     report.min_det_F = residual.min_det_F;
     if (residual.norm > divergence)
       return fail("the residual diverges");
-    report.converged = step == 1. && residual.norm <= tolerance;
+    report.converged = step == 1. && (residual.norm <= tolerance ||
+                                      (linear.factorised && is_rounding(system, report)));
   }
   return report;
 }
@@ -118,9 +130,9 @@ NewtonEffort Newton::refine(NonlinearSystem& system, const double residual) cons
 
 unsigned int Newton::telling_iterations(const NewtonReport& report) const
 {
-  constexpr double near = 10.;
+  const double near = 10. * std::max(tolerance, report.rounding);
   return std::count_if(report.residuals.begin(), report.residuals.end() - 1,
-                       [&](const double before) { return before > near * tolerance; });
+                       [&](const double before) { return before > near; });
 }
 
 } // namespace thelma

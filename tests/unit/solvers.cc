@@ -89,7 +89,7 @@ TEST(Stepper, ComesNearerToWhereAnotherPathWasFound)
 
 /// exp(x) = 1 + load, with det F = 1 - x so that large steps are forbidden.
 struct Exponential : NonlinearSystem {
-  ResidualReport residual() override { return {std::abs(std::exp(x) - target), 1. - x}; }
+  ResidualReport residual() override { return {std::abs(std::exp(x) - target) + noise, 1. - x}; }
   LinearReport linear_solve(const bool reuse) override
   {
     base = x;
@@ -99,8 +99,9 @@ struct Exponential : NonlinearSystem {
     return {true, "", !reuse, 3, 5.};
   }
   void move_to(const double step) override { x = base + step * correction; }
+  double rounding() override { return noise; }
 
-  double x = 0., target = 2., base = 0., slope = 0., correction = 0.;
+  double noise = 0., x = 0., target = 2., base = 0., slope = 0., correction = 0.;
 };
 
 TEST(Newton, ConvergesQuadraticallyToTheLogarithm)
@@ -117,6 +118,19 @@ TEST(Newton, ConvergesQuadraticallyToTheLogarithm)
   const std::vector<double>& r = report.residuals;
   ASSERT_GE(r.size(), 4u);
   EXPECT_GT(std::log(r[3] / r[2]) / std::log(r[2] / r[1]), 1.8);
+}
+
+TEST(Newton, EndsWhereTheResidualIsMadeOfRounding)
+{
+  Exponential system;
+  system.noise = 1e-9; // ten times the tolerance
+  const NewtonReport report = Newton().solve(system);
+  EXPECT_TRUE(report.converged);
+  EXPECT_NEAR(system.x, std::log(2.), 1e-10);
+  EXPECT_EQ(report.rounding, system.noise);
+  system = {};
+  system.noise = 1e-5; // too much to be anything
+  EXPECT_FALSE(Newton().solve(system).converged);
 }
 
 TEST(Newton, ReusesATangentThatServesWell)
@@ -195,6 +209,7 @@ struct Cubic : LoadedSystem {
     return {true, ""};
   }
   void add_response(const double change) override { du(0) += change * du_dload(0); }
+  double rounding() override { return 0.; }
   void move_to(const double step) override { u(0) = base + step * du(0); }
 
   Displacement u, du, du_dload;

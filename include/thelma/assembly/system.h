@@ -47,6 +47,7 @@ public:
   ResidualReport residual() override;
   LinearReport linear_solve(bool reuse) override;
   void move_to(double step) override;
+  double rounding() override;
 
   /// From now on @p prescribe writes what belongs to a load factor into the State.
   void load_by(std::function<void(double)> prescribe) { prescription = std::move(prescribe); }
@@ -158,6 +159,7 @@ private:
   void recover_internal(BlockVector& dx, std::vector<double>& values) const;
 
   double orientation(BlockVector& mode) const;
+  BlockVector last_digits() const;
   void include_charges(ResidualReport& report) const;
 
   /// Replace minus a nodal residual by the correction that belongs to it; the charges of floating

@@ -87,6 +87,7 @@ public:
   ResidualReport residual() override;
   LinearReport linear_solve(bool reuse) override;
   void move_to(double step) override;
+  double rounding() override { return system.rounding(); }
 
 private:
   LoadedSystem& system;

@@ -49,6 +49,9 @@ public:
 
   /// Iterate = base + @p step * correction.
   virtual void move_to(double step) = 0;
+
+  /// How much of the residual's norm is made by the last digit of the iterate.
+  virtual double rounding() = 0;
 };
 
 /// What nonlinear solves cost.
@@ -94,6 +97,7 @@ struct Failure {
 struct NewtonReport : NewtonEffort, Failure {
   bool converged = false;
   std::vector<double> residuals;
+  double rounding = 0.; ///< of the last residual, where it was asked for
   double min_det_F = 0.;
   long long negative_pivots = 0;      ///< of the last tangent
   long long most_negative_pivots = 0; ///< of all tangents
@@ -115,6 +119,9 @@ struct NewtonReport : NewtonEffort, Failure {
 /// cost less than a new one. While the iteration contracts, the tangent of the solution has in
 /// every direction that takes part the signs of the old one, so the count of negative pivots still
 /// holds.
+///
+/// A residual that a fresh tangent no longer halves, and that is no larger than what rounding makes
+/// of it, has converged as far as it can, be it above the tolerance.
 class Newton
 {
 public:
@@ -137,6 +144,7 @@ public:
 
 private:
   bool worth_reusing(const NewtonReport& report, const LinearReport& linear) const;
+  bool is_rounding(NonlinearSystem& system, NewtonReport& report) const;
 
   double tolerance = 1e-10;
   bool reuses = true;

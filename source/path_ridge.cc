@@ -1,0 +1,86 @@
+#include <thelma/path_ridge.h>
+
+namespace thelma
+{
+namespace
+{
+
+/// Lets the load of a system be a force along the @p way, added to the loads that it has and gives
+/// back in the end.
+template <int dim>
+class Hold
+{
+public:
+  Hold(System<dim>& system, const LoadedSystem::Displacement& way)
+      : system(system), loads(system.dead_loads()), level(system.dead_load_level())
+  {
+    BlockVector given = loads;
+    given *= level;
+    system.load_by([&system, &way, given](const double force) {
+      BlockVector sum = given;
+      sum.block(0).add(force, way);
+      system.set_loads(sum);
+    });
+    system.set_load(0.);
+  }
+  ~Hold() { system.set_loads(level, loads); }
+  Hold(const Hold&) = delete;
+  Hold& operator=(const Hold&) = delete;
+
+private:
+  System<dim>& system;
+  const BlockVector loads;
+  const double level;
+};
+
+/// Whether the body, held at the iterate by a force across the @p plane, has more than @p most
+/// unstable directions. The iterate itself is not in balance, which stiff directions may show as
+/// instability: only if that is corrected and it remains, there is one.
+template <int dim>
+bool is_unstable_held(System<dim>& system, const Plane& plane, const long long most,
+                      NewtonReport& report)
+{
+  constexpr int most_corrections = 1;
+  BorderedSystem bordered(system, plane);
+  for (int k = 0; k <= most_corrections && bordered.residual().admissible(); ++k) {
+    LinearReport tangent = bordered.linear_solve(false);
+    if (tangent.solved)
+      tangent = system.count_pivots(tangent.negative_pivots);
+    report.add({0, 1, tangent.iterations});
+    if (!tangent.solved)
+      return true;
+    if (system.unstable_directions(tangent.negative_pivots) <= most)
+      return false;
+    bordered.move_to(1.);
+  }
+  return true;
+}
+
+} // namespace
+
+template <int dim>
+bool is_beyond_ridge(System<dim>& system, State& state, const long long most, NewtonReport& report)
+{
+  constexpr double part = 1. / 3.;
+  const BlockVector found = state.x;
+  const std::vector<double> internal = state.internal;
+  auto way = found.block(0);
+  way -= state.path().back().x.block(0);
+  state.x.block(0).add(part - 1., way);
+  state.x.update_ghost_values();
+  system.relax_internal();
+  way /= way.l2_norm();
+  const Hold<dim> hold(system, way);
+  Plane plane;
+  plane.normal = way;
+  plane.value = plane.excess(system);
+  const bool has_ridge = is_unstable_held(system, plane, most, report);
+  state.x = found;
+  state.internal = internal;
+  return has_ridge;
+}
+
+template bool is_beyond_ridge(System<2>&, State&, long long, NewtonReport&);
+template bool is_beyond_ridge(System<3>&, State&, long long, NewtonReport&);
+
+} // namespace thelma
