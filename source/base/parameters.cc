@@ -130,8 +130,8 @@ Override Override::parse(const std::string& text)
   if (equals == std::string::npos || equals == 0)
     throw InputError("command line: '" + text + "' is not of the form Section/Entry=value");
   Override result;
-  result.value =
-      dealii::Utilities::trim(std::regex_replace(text.substr(equals + 1), std::regex("\\s+"), " "));
+  result.value = unquoted(dealii::Utilities::trim(
+      std::regex_replace(text.substr(equals + 1), std::regex("\\s+"), " ")));
   if (result.value.find('#') != std::string::npos)
     throw InputError("command line: '" + text +
                      "' has a '#', which begins a comment in parameter "

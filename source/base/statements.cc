@@ -1,4 +1,5 @@
 #include <thelma/base/statements.h>
+#include <thelma/base/wording.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -92,7 +93,8 @@ void Statements::add(const unsigned int number, const std::string& line)
     if (equals == std::string::npos || entry.empty())
       problems.push_back({number, "'" + line + "' is not of the form `set Entry = value`"});
     else
-      entries.push_back({number, path, entry, dealii::Utilities::trim(rest.substr(equals + 1))});
+      entries.push_back(
+          {number, path, entry, unquoted(dealii::Utilities::trim(rest.substr(equals + 1)))});
   } else
     problems.push_back({number, "cannot read '" + printable(line.substr(0, 80)) +
                                     "'; write `subsection Name`, `set Entry = value` or `end`"});

@@ -1,5 +1,6 @@
 #include <thelma/base/wording.h>
 
+#include <algorithm>
 #include <regex>
 #include <utility>
 #include <vector>
@@ -29,6 +30,28 @@ std::string other_wording(const std::string& entry)
     if (std::regex_match(entry, form))
       return remedy;
   return "";
+}
+
+std::string writable(std::string name)
+{
+  std::replace_if(
+      name.begin(), name.end(), [](const char c) { return c == ',' || c == ':'; }, ';');
+  return name;
+}
+
+std::string unquoted(const std::string& value)
+{
+  if (std::count(value.begin(), value.end(), '"') % 2 != 0)
+    return value;
+  std::string result;
+  std::size_t begin = 0;
+  for (bool is_quoted = false; begin <= value.size(); is_quoted = !is_quoted) {
+    const std::size_t end = std::min(value.find('"', begin), value.size());
+    const std::string part = value.substr(begin, end - begin);
+    result += is_quoted ? writable(part) : part;
+    begin = end + 1;
+  }
+  return result;
 }
 
 } // namespace thelma

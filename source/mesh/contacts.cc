@@ -69,40 +69,94 @@ std::map<Pair, unsigned int> coincident_nodes(const WholeMesh<dim>& mesh,
   return found;
 }
 
+/// A face of one cell alone.
+template <int dim>
+struct OuterFace {
+  unsigned int part;
+  std::vector<dealii::Point<dim>> corners; ///< in lexicographic order
+};
+
+template <int dim>
+std::vector<OuterFace<dim>> outer_faces(const WholeMesh<dim>& mesh)
+{
+  std::map<std::vector<unsigned int>, OuterFace<dim>> once;
+  for (const dealii::CellData<dim>& cell : mesh.cells)
+    for (unsigned int f = 0; f < dealii::GeometryInfo<dim>::faces_per_cell; ++f) {
+      std::vector<unsigned int> corners;
+      OuterFace<dim> face{cell.material_id, {}};
+      for (unsigned int v = 0; v < cell.vertices.size(); ++v)
+        if (face_vertices<dim>(f) & (1u << v)) {
+          corners.push_back(cell.vertices[v]);
+          face.corners.push_back(mesh.vertices[cell.vertices[v]]);
+        }
+      std::sort(corners.begin(), corners.end());
+      const auto [place, is_new] = once.emplace(corners, face);
+      if (!is_new)
+        once.erase(place);
+    }
+  std::vector<OuterFace<dim>> faces;
+  for (const auto& [corners, face] : once)
+    faces.push_back(face);
+  return faces;
+}
+
+/// Whether @p x is nearer than the @p tolerance to the line between two points or to the triangle
+/// of three; its coordinates in it solve the normal equations.
+template <int dim>
+bool lies_on(const std::vector<dealii::Point<dim>>& simplex, const dealii::Point<dim>& x,
+             const double tolerance)
+{
+  dealii::Tensor<1, dim> edges[2];
+  for (unsigned int i = 1; i < dim; ++i)
+    edges[i - 1] = simplex[i] - simplex[0];
+  const dealii::Tensor<1, dim> way = x - simplex[0];
+  const double a = edges[0] * edges[0], b = edges[0] * edges[1],
+               c = dim == 3 ? edges[1] * edges[1] : 1., determinant = a * c - b * b;
+  const double f = way * edges[0], g = way * edges[1];
+  const double s = (c * f - b * g) / determinant, t = (a * g - b * f) / determinant;
+  const double slack = tolerance / std::sqrt(std::max(a, c));
+  return s > -slack && t > -slack && s + t < 1. + slack &&
+         (way - s * edges[0] - t * edges[1]).norm() < tolerance;
+}
+
+/// Whether a corner, the middle of an edge or of all of one lies on the other.
+template <int dim>
+bool reaches(const OuterFace<dim>& one, const OuterFace<dim>& other, const double tolerance)
+{
+  std::vector<std::vector<dealii::Point<dim>>> simplices{
+      {other.corners.begin(), other.corners.begin() + dim}};
+  if (dim == 3)
+    simplices.push_back({other.corners.rbegin(), other.corners.rbegin() + dim});
+  for (const dealii::Point<dim>& from : one.corners)
+    for (const dealii::Point<dim>& to : one.corners)
+      for (const auto& simplex : simplices)
+        if (lies_on(simplex, from + (to - from) / 2., tolerance))
+          return true;
+  return false;
+}
+
 /// Parts of two bodies whose outer faces meet.
 template <int dim>
 std::set<Pair> touching_parts(const WholeMesh<dim>& mesh, const double tolerance)
 {
-  using Face = std::pair<dealii::BoundingBox<dim>, unsigned int>;
-  std::map<std::vector<unsigned int>, std::pair<unsigned int, std::vector<dealii::Point<dim>>>>
-      once;
-  for (const dealii::CellData<dim>& cell : mesh.cells)
-    for (unsigned int f = 0; f < dealii::GeometryInfo<dim>::faces_per_cell; ++f) {
-      std::vector<unsigned int> corners;
-      std::vector<dealii::Point<dim>> points;
-      for (unsigned int v = 0; v < cell.vertices.size(); ++v)
-        if (face_vertices<dim>(f) & (1u << v)) {
-          corners.push_back(cell.vertices[v]);
-          points.push_back(mesh.vertices[cell.vertices[v]]);
-        }
-      std::sort(corners.begin(), corners.end());
-      const auto [place, is_new] = once.emplace(corners, std::pair(cell.material_id, points));
-      if (!is_new)
-        once.erase(place);
-    }
-  std::vector<Face> faces;
-  for (const auto& [corners, face] : once) {
-    faces.emplace_back(dealii::BoundingBox<dim>(face.second), face.first);
-    faces.back().first.extend(tolerance);
+  using Boxed = std::pair<dealii::BoundingBox<dim>, std::size_t>;
+  const std::vector<OuterFace<dim>> faces = outer_faces(mesh);
+  std::vector<Boxed> boxes;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    boxes.emplace_back(dealii::BoundingBox<dim>(faces[i].corners), i);
+    boxes.back().first.extend(tolerance);
   }
-  const auto tree = dealii::pack_rtree(faces);
+  const auto tree = dealii::pack_rtree(boxes);
   std::set<Pair> found;
-  for (const Face& face : faces) {
-    std::vector<Face> near;
-    tree.query(boost::geometry::index::intersects(face.first), std::back_inserter(near));
-    for (const Face& other : near)
-      if (mesh.body_of_part(other.second) != mesh.body_of_part(face.second))
-        found.insert(pair_of(face.second, other.second));
+  for (const Boxed& box : boxes) {
+    std::vector<Boxed> near;
+    tree.query(boost::geometry::index::intersects(box.first), std::back_inserter(near));
+    const OuterFace<dim>& face = faces[box.second];
+    for (const Boxed& neighbour : near)
+      if (const OuterFace<dim>& other = faces[neighbour.second];
+          mesh.body_of_part(other.part) != mesh.body_of_part(face.part) &&
+          reaches(face, other, tolerance))
+        found.insert(pair_of(face.part, other.part));
   }
   return found;
 }

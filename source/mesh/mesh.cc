@@ -141,16 +141,9 @@ const std::vector<typename Mesh<dim>::Entity>& Mesh<dim>::surface(const std::str
     throw InputError(place + ": it is empty or missing; write one of " +
                      comma_separated(surface_names()));
   const auto found = surfaces.find(name);
-  if (found == surfaces.end()) {
-    const std::vector<std::string> known = surface_names();
-    const bool are_odd = std::any_of(known.begin(), known.end(), [](const std::string& one) {
-      return one.find_first_of(",:") != std::string::npos;
-    });
-    throw InputError(place + ": the mesh has no surface '" + name + "'" + known_ones(name, known) +
-                     (are_odd ? "; rename in the mesh what has a comma or a colon, as parameter "
-                                "files cannot write it"
-                              : ""));
-  }
+  if (found == surfaces.end())
+    throw InputError(place + ": the mesh has no surface '" + name + "'" +
+                     known_ones(name, surface_names()));
   if (table.surfaces.at(name).empty())
     throw InputError(place + ": surface '" + name + "' touches no cell");
   return found->second;

@@ -1,4 +1,5 @@
 #include <thelma/base/complaints.h>
+#include <thelma/base/wording.h>
 #include <thelma/mesh/physical_groups.h>
 
 #include <gmsh.h>
@@ -56,7 +57,7 @@ std::map<std::string, Groups> names_of_model()
     std::string name;
     gmsh::model::getPhysicalName(dimension, tag, name);
     if (!name.empty())
-      result[name].emplace_back(dimension, tag);
+      result[writable(name)].emplace_back(dimension, tag);
   }
   return result;
 }
@@ -104,9 +105,6 @@ void require_names(const std::string& file, const int dim)
     if (name.empty() && dimension <= dim && !is_end_of_partition(dimension, tag))
       complaints.add(place + "the physical " + kind_name(dimension) + " " + std::to_string(tag) +
                      " of '" + file + "' has no name; give it one, or remove it");
-    if (dimension == dim && name.find_first_of(",:") != std::string::npos)
-      complaints.add(place + "the name of the region '" + name + "' of '" + file +
-                     "' has a comma or a colon, which parameter files cannot write; rename it");
   }
   complaints.raise();
 }
@@ -220,6 +218,7 @@ std::vector<PhysicalGroup> read_physical_groups(const std::string& file, const i
       gmsh::model::getPhysicalName(dimension, tag, group.name);
       if (group.name.empty())
         continue;
+      group.name = writable(group.name);
       read_elements(group, tag, index);
       if (dimension == dim)
         require_cells(file, group);

@@ -22,10 +22,16 @@ FORCE = PERMITTIVITY / 2 * LENGTH
 
 UNICODE = {"Regions/Materials": "folie é: rubber", "Supports/Fixed": "Füße: u1 u3, 上: u1 u3",
            "Electrodes/Potential": "Füße: 0, 上: 1", "Observables/reaction/At": "上"}
+# Commas and colons are separators: names with them are quoted, or have semicolons in their place.
+QUOTED = {"Regions/Materials": '"film, cast": rubber',
+          "Supports/Fixed": '"base: left, right": u1 u3, "lid:1": u1 u3',
+          "Electrodes/Potential": 'base; left; right: 0, "lid:1": 1',
+          "Observables/reaction/At": '"lid:1"'}
 SOUND = {"ascii_2_2.msh": {}, "binary_2_2.msh": {}, "ascii_4_0.msh": {}, "ascii_4_1.msh": {},
          "binary_4_1.msh": {}, "partitioned.msh": {}, "orphan_nodes.msh": {},
          "sparse_tags.msh": {}, "clockwise.msh": {}, "crlf.msh": {}, "metres.geo": {},
-         "with blanks/film of rubber.msh": {}, "unicode.msh": UNICODE}
+         "with blanks/film of rubber.msh": {}, "unicode.msh": UNICODE,
+         "punctuated.msh": QUOTED}
 SOUND_SCENES = ["crlf.prm", "byte_order_mark.prm"]
 
 # What the sentence must say beside section and entry.

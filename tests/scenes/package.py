@@ -47,6 +47,26 @@ def check_tools(source):
             f"not a word of the missing tools: {done.stderr}")
 
 
+def check_debian_package(build, folder):
+    """The .deb unpacked into a bare folder runs there and knows on what it depends. Installed by apt
+    in a bare system it is by scripts/try-on, which needs root and the network."""
+    if not all(map(shutil.which, ("dpkg-deb", "dpkg-shlibdeps", "file"))):
+        print("no .deb is made: file or dpkg-dev is missing")
+        return
+    subprocess.run(["cpack", "-G", "DEB", "-B", folder], cwd=build, check=True,
+                   stdout=subprocess.DEVNULL)
+    package, = folder.glob("*.deb")
+    needs = subprocess.run(["dpkg-deb", "-f", package, "Depends"], capture_output=True, text=True,
+                           check=True).stdout
+    for library in ("deal.ii", "gmsh", "mumps", "openmpi"):
+        require(library in needs, f"the package does not depend on {library}: {needs}")
+    bare = folder / "bare"
+    subprocess.run(["dpkg-deb", "-x", package, bare], check=True)
+    subprocess.run([bare / "usr/bin/thelma", bare / "usr/share/thelma/prm/planar_actuator.prm",
+                    "--output", folder / "bare run"], check=True, stdout=subprocess.DEVNULL)
+    require((folder / "bare run/run.json").exists(), "the program of the package left no results")
+
+
 def main():
     """Installs into a folder and uses what is there."""
     program, _ = program_and_ranks(__doc__)
@@ -66,6 +86,7 @@ def main():
         page = (folder / "run/report.html").read_text()
         require("data:image/png;base64," in page or "Not drawn: " in page, "no pictures, and no reason")
         check_links(share / "doc")
+        check_debian_package(build, folder)
 
         known = options_in(subprocess.run([binary, "--help"], capture_output=True, text=True,
                                           check=True).stdout)
