@@ -140,18 +140,6 @@ void System<dim>::compute_scales()
 }
 
 template <int dim>
-void System<dim>::begin()
-{
-  if (solved == Solved::temperature)
-    return;
-  const auto timer = timings.measure("residual");
-  stabilisations.resize(layout.cells().size(), 0.);
-  for_each_cell([&](const CellView<dim>& view) {
-    stabilisations[view.index] = formulation->stabilisation(view);
-  });
-}
-
-template <int dim>
 ResidualReport System<dim>::residual()
 {
   const auto timer = timings.measure("residual");

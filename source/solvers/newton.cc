@@ -53,7 +53,23 @@ bool Newton::is_rounding(NonlinearSystem& system, NewtonReport& report) const
   return r[0] <= slack * report.rounding;
 }
 
-NewtonReport Newton::solve(NonlinearSystem& system, bool reuse) const
+NewtonReport Newton::solve(NonlinearSystem& system, const bool reuse) const
+{
+  constexpr unsigned int most = 12;
+  constexpr double settled = 1e-7; // residual that the system's change makes: no other state
+  system.begin();
+  NewtonReport report = iterate(system, reuse);
+  double change = 1.;
+  for (unsigned int k = 0; k < most && change > settled && report.converged && system.follow();
+       ++k) {
+    change = system.residual().norm;
+    if (change > tolerance)
+      report.go_on(iterate(system, true));
+  }
+  return report;
+}
+
+NewtonReport Newton::iterate(NonlinearSystem& system, bool reuse) const
 {
   constexpr double smallest_step = 1. / 256., divergence = 1e8;
   NewtonReport report;
@@ -62,7 +78,6 @@ NewtonReport Newton::solve(NonlinearSystem& system, bool reuse) const
     return report;
   };
 
-  system.begin();
   ResidualReport residual = system.residual();
   report.residuals.push_back(residual.norm);
   report.min_det_F = residual.min_det_F;

@@ -133,6 +133,28 @@ TEST(Newton, EndsWhereTheResidualIsMadeOfRounding)
   EXPECT_FALSE(Newton().solve(system).converged);
 }
 
+/// exp(x) = 1 + a, where a is to be x at the solution, from above 1/2.
+struct Following : Exponential {
+  void begin() override { target = 1. + std::max(x, 0.5); }
+  bool follow() override
+  {
+    const double before = target;
+    begin();
+    return target != before;
+  }
+};
+
+TEST(Newton, LetsTheSystemFollowItsSolution)
+{
+  Following system;
+  const NewtonReport report = Newton().solve(system);
+  EXPECT_TRUE(report.converged);
+  EXPECT_NEAR(system.x, std::log(1.5), 1e-10); // below 1/2
+  system.x = 0.6;
+  EXPECT_TRUE(Newton().solve(system).converged);
+  EXPECT_NEAR(system.x, std::log(1.5), 1e-10);
+}
+
 TEST(Newton, ReusesATangentThatServesWell)
 {
   Exponential system;

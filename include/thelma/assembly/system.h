@@ -44,6 +44,7 @@ public:
   void start_internal();
 
   void begin() override;
+  bool follow() override;
   ResidualReport residual() override;
   LinearReport linear_solve(bool reuse) override;
   void move_to(double step) override;
@@ -176,6 +177,8 @@ private:
   void compute_scales();
   double scale(unsigned int block) const;
 
+  std::vector<double> needed_stabilisations() const;
+
   /// Zero what belongs to given unknowns.
   void clear_given(BlockVector& x) const;
 
@@ -207,6 +210,8 @@ private:
   std::vector<double> internal_base, internal_correction, internal_response;
   std::vector<double> internal_residual; ///< of all own cells
   std::vector<double> stabilisations;    ///< of all own cells, MPa
+  std::vector<double> lacking;           ///< of them, when they last followed the state
+  double relaxation = 1.;                ///< part of it that was added
   std::vector<double> eliminations;      ///< of all own cells, of the tangent last assembled
   std::function<void(double)> prescription;
   double load_factor = 0.;

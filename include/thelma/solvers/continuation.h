@@ -84,6 +84,7 @@ public:
   BorderedSystem(LoadedSystem& system, Plane plane) : system(system), plane(std::move(plane)) {}
 
   void begin() override { system.begin(); }
+  bool follow() override { return system.follow(); }
   ResidualReport residual() override;
   LinearReport linear_solve(bool reuse) override;
   void move_to(double step) override;

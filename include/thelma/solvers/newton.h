@@ -4,6 +4,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -39,6 +40,10 @@ public:
 
   /// A solution is sought from the current iterate on.
   virtual void begin() {}
+
+  /// A solution has been found: let what begin() has taken from the iterate then follow it now.
+  /// Whether anything has changed.
+  virtual bool follow() { return false; }
 
   /// Residual at the current iterate.
   virtual ResidualReport residual() = 0;
@@ -103,6 +108,19 @@ struct NewtonReport : NewtonEffort, Failure {
   long long most_negative_pivots = 0; ///< of all tangents
   bool reused = false;                ///< whether the last tangent has served more than once
 
+  /// On from the solution found to that of a changed system.
+  void go_on(const NewtonReport& next)
+  {
+    add(next);
+    converged = next.converged;
+    static_cast<Failure&>(*this) = next;
+    residuals.back() = next.residuals.back();
+    min_det_F = next.min_det_F;
+    most_negative_pivots = std::max(most_negative_pivots, next.most_negative_pivots);
+    negative_pivots = next.factorisations > 0 ? next.negative_pivots : negative_pivots;
+    reused = next.reused;
+  }
+
   /// The state that was found is not accepted, for this reason.
   void refuse(const Refusal why, std::string sentence)
   {
@@ -143,6 +161,7 @@ public:
   double converged_residual() const { return tolerance; }
 
 private:
+  NewtonReport iterate(NonlinearSystem& system, bool reuse) const;
   bool worth_reusing(const NewtonReport& report, const LinearReport& linear) const;
   bool is_rounding(NonlinearSystem& system, NewtonReport& report) const;
 
