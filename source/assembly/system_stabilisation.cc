@@ -37,7 +37,7 @@ template <int dim>
 bool System<dim>::follow()
 {
   constexpr double least = 0.05;
-  if (stabilisations.empty() || solved == Solved::temperature)
+  if (solved == Solved::temperature)
     return false;
   const auto timer = timings.measure("residual");
   std::vector<double> lack = needed_stabilisations();
