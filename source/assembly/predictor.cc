@@ -61,26 +61,6 @@ typename Predictor<dim>::Supports Predictor<dim>::supports(const std::vector<dou
   return found;
 }
 
-/// Whether the guess, at @p load, goes on about as the last step went, by the @p metric or in the
-/// displacements alone.
-template <int dim>
-bool Predictor<dim>::goes_on(const Supports& path, const double load,
-                             const PathMetric* metric) const
-{
-  constexpr double apart = 1.4; // of unit vectors: almost a right angle
-  const auto length = [&](const Displacement& u, const double l) {
-    return metric ? metric->length(u, l) : u.l2_norm();
-  };
-  const State::Accepted &last = path.states.back(), &before = path.states[path.states.size() - 2];
-  Displacement step = last.x.block(0), change = guess.block(0);
-  step -= before.x.block(0);
-  change -= last.x.block(0);
-  const double step_load = last.load - before.load, change_load = load - last.load,
-               ratio = length(step, step_load) / length(change, change_load);
-  change.sadd(ratio, -1., step);
-  return length(change, ratio * change_load - step_load) < apart * length(step, step_load);
-}
-
 /// The guess at @p place of the highest order that does not point back; returns its load.
 template <int dim>
 double Predictor<dim>::extrapolate(Supports path, const double place, const Parity parity,
@@ -93,7 +73,8 @@ double Predictor<dim>::extrapolate(Supports path, const double place, const Pari
       load += even[k] * path.states[k].load;
     combine(path.states, even,
             parity == Parity::even ? weights(path.places, place, Parity::odd) : even);
-    if (path.states.size() <= 2 || place <= path.places.back() || goes_on(path, load, metric))
+    if (path.states.size() <= 2 || place <= path.places.back() || goes_on(path, load, metric) ||
+        deforms_on(path))
       return load;
     path.places.erase(path.places.begin());
     path.states.erase(path.states.begin());

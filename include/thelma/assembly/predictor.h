@@ -75,6 +75,7 @@ private:
   /// As many of the newest states at @p places as serve a guess at @p place.
   Supports supports(const std::vector<double>& places, double place) const;
   bool goes_on(const Supports& path, double load, const PathMetric* metric) const;
+  bool deforms_on(const Supports& path) const;
   double extrapolate(Supports path, double place, Parity parity, const PathMetric* metric);
   std::vector<State::Accepted> recent() const;
   std::vector<double> temperature_weights(const std::vector<State::Accepted>& path) const;
