@@ -59,14 +59,15 @@ bool is_unstable_held(System<dim>& system, const Plane& plane, const long long m
 } // namespace
 
 template <int dim>
-bool is_beyond_ridge(System<dim>& system, State& state, const long long most, NewtonReport& report)
+bool is_beyond_ridge(System<dim>& system, State& state, Predictor<dim>& predictor,
+                     const long long most, NewtonReport& report)
 {
-  constexpr double part = 1. / 3.;
-  const BlockVector found = state.x;
-  const std::vector<double> internal = state.internal;
-  auto way = found.block(0);
+  const State::Accepted found{state.accepted_load(), state.x, state.internal};
+  auto way = found.x.block(0);
   way -= state.path().back().x.block(0);
-  state.x.block(0).add(part - 1., way);
+  predictor.between(found, 1. / 3.);
+  for (unsigned int b = 1; b < state.x.n_blocks(); ++b)
+    state.x.block(b) = found.x.block(b); // at the new load
   state.x.update_ghost_values();
   system.relax_internal();
   way /= way.l2_norm();
@@ -75,12 +76,12 @@ bool is_beyond_ridge(System<dim>& system, State& state, const long long most, Ne
   plane.normal = way;
   plane.value = plane.excess(system);
   const bool has_ridge = is_unstable_held(system, plane, most, report);
-  state.x = found;
-  state.internal = internal;
+  state.x = found.x;
+  state.internal = found.internal;
   return has_ridge;
 }
 
-template bool is_beyond_ridge(System<2>&, State&, long long, NewtonReport&);
-template bool is_beyond_ridge(System<3>&, State&, long long, NewtonReport&);
+template bool is_beyond_ridge(System<2>&, State&, Predictor<2>&, long long, NewtonReport&);
+template bool is_beyond_ridge(System<3>&, State&, Predictor<3>&, long long, NewtonReport&);
 
 } // namespace thelma

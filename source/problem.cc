@@ -217,7 +217,7 @@ bool Problem<dim>::jumps(NewtonReport& report, const Stepper& steps)
       system.is_symmetric() && system.unstable_directions(report.most_negative_pivots) > most;
   if (surprise < trusted && !passed_less_stable)
     return false;
-  const bool has_ridge = is_beyond_ridge(system, state, most, report);
+  const bool has_ridge = is_beyond_ridge(system, state, predictor, most, report);
   system.residual(); // for the reactions
   return has_ridge;
 }

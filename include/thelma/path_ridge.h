@@ -1,5 +1,6 @@
 #pragma once
 
+#include <thelma/assembly/predictor.h>
 #include <thelma/assembly/system.h>
 
 namespace thelma
@@ -10,6 +11,7 @@ namespace thelma
 /// directions (theory.md, "Prediction"). The iterate remains; what was solved is added to the
 /// @p report.
 template <int dim>
-bool is_beyond_ridge(System<dim>& system, State& state, long long most, NewtonReport& report);
+bool is_beyond_ridge(System<dim>& system, State& state, Predictor<dim>& predictor, long long most,
+                     NewtonReport& report);
 
 } // namespace thelma

@@ -74,7 +74,7 @@ double Predictor<dim>::extrapolate(Supports path, const double place, const Pari
     combine(path.states, even,
             parity == Parity::even ? weights(path.places, place, Parity::odd) : even);
     if (path.states.size() <= 2 || place <= path.places.back() || goes_on(path, load, metric) ||
-        deforms_on(path))
+        deforms_on(path, place))
       return load;
     path.places.erase(path.places.begin());
     path.states.erase(path.states.begin());
@@ -97,6 +97,13 @@ double Predictor<dim>::predict_along(const std::vector<double>& places, const do
                                      const PathMetric& metric)
 {
   return extrapolate(supports(places, place), place, Parity::none, &metric);
+}
+
+template <int dim>
+void Predictor<dim>::between(const State::Accepted& found, const double part)
+{
+  const std::vector<double> weights{1. - part, part};
+  combine({state.path().back(), found}, weights, weights);
 }
 
 template <int dim>

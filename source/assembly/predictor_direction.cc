@@ -31,11 +31,26 @@ bool Predictor<dim>::goes_on(const Supports& path, const double load,
   return length(change, ratio * change_load - step_load) < apart * length(step, step_load);
 }
 
+/// The rotation vector of @p R that comes nearest to @p expected, by more than half a turn if need
+/// be.
+Tensor3<1> rotation_near(const Tensor3<2>& R, const Tensor3<1>& expected)
+{
+  const Tensor3<1> turn = rotation_vector(R);
+  const double angle = turn.norm();
+  if (angle == 0.)
+    return turn;
+  const double whole = 2. * dealii::numbers::PI;
+  return turn + std::round((expected - turn) * turn / (angle * whole)) * whole / angle * turn;
+}
+
 /// The same of rotations and stretches: the displacements of a body that rolls up turn back as it
 /// goes on.
 template <int dim>
-bool Predictor<dim>::deforms_on(const Supports& path) const
+bool Predictor<dim>::deforms_on(const Supports& path, const double place) const
 {
+  const std::vector<double>& places = path.places;
+  const double ratio =
+      (place - places.back()) / (places.back() - places[places.size() - 2]); // of the steps
   constexpr double across = 0.02; // cosine of almost a right angle, as above
   const BlockVector* const states[] = {&path.states[path.states.size() - 2].x,
                                        &path.states.back().x, &guess};
@@ -58,7 +73,7 @@ bool Predictor<dim>::deforms_on(const Supports& path) const
         break;
       const PolarDecomposition before(F[0]), last(F[1]), next(F[2]);
       const Tensor3<1> turn = rotation_vector(last.R * dealii::transpose(before.R)),
-                       new_turn = rotation_vector(next.R * dealii::transpose(last.R));
+                       new_turn = rotation_near(next.R * dealii::transpose(last.R), ratio * turn);
       const Tensor3<2> stretch = last.U - before.U, new_stretch = next.U - last.U;
       own[0] += point.JxW * (turn * turn + stretch.norm_square());
       own[1] += point.JxW * (new_turn * new_turn + new_stretch.norm_square());
@@ -72,7 +87,7 @@ bool Predictor<dim>::deforms_on(const Supports& path) const
 
 #define INSTANTIATE(dim)                                                                           \
   template bool Predictor<dim>::goes_on(const Supports&, double, const PathMetric*) const;         \
-  template bool Predictor<dim>::deforms_on(const Supports&) const;
+  template bool Predictor<dim>::deforms_on(const Supports&, double) const;
 INSTANTIATE(2)
 INSTANTIATE(3)
 #undef INSTANTIATE

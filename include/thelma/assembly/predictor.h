@@ -45,6 +45,10 @@ public:
   /// @p metric, also between the last two; returns the load there.
   double predict_along(const std::vector<double>& places, double place, const PathMetric& metric);
 
+  /// Write the @p part of the way from the last accepted state to @p found into the State's
+  /// iterate.
+  void between(const State::Accepted& found, double part);
+
   /// Write a better guess of the deformation once the temperature of the iterate is known: by the
   /// weights with which the accepted states make this temperature best.
   void follow_temperature();
@@ -75,7 +79,7 @@ private:
   /// As many of the newest states at @p places as serve a guess at @p place.
   Supports supports(const std::vector<double>& places, double place) const;
   bool goes_on(const Supports& path, double load, const PathMetric* metric) const;
-  bool deforms_on(const Supports& path) const;
+  bool deforms_on(const Supports& path, double place) const;
   double extrapolate(Supports path, double place, Parity parity, const PathMetric* metric);
   std::vector<State::Accepted> recent() const;
   std::vector<double> temperature_weights(const std::vector<State::Accepted>& path) const;
