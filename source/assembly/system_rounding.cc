@@ -8,19 +8,6 @@
 
 namespace thelma
 {
-namespace
-{
-
-template <int dim>
-double shortest_edge(const Cell<dim>& cell)
-{
-  double shortest = cell.iterator->extent_in_direction(0);
-  for (int d = 1; d < dim; ++d)
-    shortest = std::min(shortest, cell.iterator->extent_in_direction(d));
-  return shortest;
-}
-
-} // namespace
 
 /// Of a displacement by as much as changes the last digit of F; as unlike from node to node as
 /// rounding is.
@@ -34,7 +21,8 @@ BlockVector System<dim>::last_digits() const
   for (const Cell<dim>& cell : layout.cells())
     for (std::size_t i = 0; i < cell.dofs.size(); ++i)
       if (const auto dof = cell.dofs[i]; i % cell.n_components < dim && digits.in_local_range(dof))
-        digits(dof) = epsilon * std::sin(1. + dof) * (std::abs(state.x(dof)) + shortest_edge(cell));
+        digits(dof) = epsilon * std::sin(1. + dof) *
+                      (std::abs(state.x(dof)) + cell.iterator->minimum_vertex_distance());
   return digits;
 }
 
