@@ -12,6 +12,8 @@ namespace thelma
 namespace
 {
 
+constexpr double finest = 1e-4; ///< arc length within which events are not told from each other
+
 std::string bifurcation_name(const long long multiplicity)
 {
   return multiplicity <= 1   ? "bifurcation"
@@ -82,37 +84,52 @@ PathFollowing<dim>::locate_bifurcation(const double low, const double high, cons
 }
 
 /// Intervals with several events are halved until each has one, or none can be told from another.
+/// Whether all have been found.
 template <int dim>
-typename PathFollowing<dim>::Events
-PathFollowing<dim>::report_between(const Task& task, const Place& low, const Place& high)
+bool PathFollowing<dim>::find_events(const Place& low, const Place& high,
+                                     std::vector<Event>& events)
 {
-  constexpr double finest = 1e-4;
   const bool turns = low.slope * high.slope < 0.;
   const long long change = std::abs(high.unstable_directions - low.unstable_directions);
   if (!turns && change == 0)
-    return Events::none;
-  if (change > 1 && high.arc - low.arc > finest)
-    if (const Solution half = between((low.arc + high.arc) / 2.)) {
-      const Place middle{(low.arc + high.arc) / 2., half->slope, half->unstable_directions};
-      const Events events = report_between(task, low, middle);
-      return events == Events::none ? report_between(task, middle, high) : events;
-    }
-  Solution event = turns ? locate_limit(low.arc, high.arc)
+    return true;
+  if (change > 1 && high.arc - low.arc > finest) {
+    const Solution half = between((low.arc + high.arc) / 2.);
+    if (!half)
+      return false;
+    const Place middle{(low.arc + high.arc) / 2., half->slope, half->unstable_directions};
+    return find_events(low, middle, events) && find_events(middle, high, events);
+  }
+  Solution found = turns ? locate_limit(low.arc, high.arc)
                          : locate_bifurcation(low.arc, high.arc, low.unstable_directions);
-  if (!event)
-    return Events::none;
-  event->event = turns ? "limit point" : bifurcation_name(change);
-  task.record(*event);
-  if (turns)
+  if (!found)
+    return false;
+  found->event = turns ? "limit point" : bifurcation_name(change);
+  events.push_back({*found, {found->load, state.x, state.internal}, turns ? BlockVector() : mode});
+  return true;
+}
+
+/// Leaves the iterate at the event.
+template <int dim>
+typename PathFollowing<dim>::Events PathFollowing<dim>::report(const Task& task, const Event& event)
+{
+  state.x = event.at.x;
+  state.internal = event.at.internal;
+  system.set_load(event.at.load);
+  system.residual(); // for the reactions
+  task.record(event.found);
+  if (event.found.event == "limit point")
     return task.stop_at_limit ? Events::aim : Events::none;
-  task.record_mode(mode);
+  task.record_mode(event.mode);
   if (branch == "none" || on_branch)
     return Events::none;
-  start_branch(event->place);
+  mode = event.mode;
+  start_branch(event.found.place);
   return Events::new_branch;
 }
 
-/// Leaves the iterate at @p next, or at the event that changes what comes.
+/// Leaves the iterate at @p next, or at the event that changes what comes. Between two states of
+/// one path all events are found; a step that hides one may have led to another path.
 template <int dim>
 typename PathFollowing<dim>::Events PathFollowing<dim>::report_events(const Task& task,
                                                                       const PathState& next)
@@ -120,15 +137,18 @@ typename PathFollowing<dim>::Events PathFollowing<dim>::report_events(const Task
   if (here.slope * next.slope > 0. && here.unstable_directions == next.unstable_directions)
     return Events::none;
   const std::vector<double> arc = places();
-  const Events events =
-      report_between(task, {arc[arc.size() - 2], here.slope, here.unstable_directions},
-                     {arc.back(), next.slope, next.unstable_directions});
-  if (events == Events::none) {
-    state.restore();
-    system.set_load(state.accepted_load());
-    system.residual(); // for the reactions
-  }
-  return events;
+  std::vector<Event> events;
+  const bool all = find_events({arc[arc.size() - 2], here.slope, here.unstable_directions},
+                               {arc.back(), next.slope, next.unstable_directions}, events);
+  if (!all && arc.back() - arc[arc.size() - 2] > finest)
+    return Events::hidden;
+  for (const Event& event : events)
+    if (const Events what = report(task, event); what != Events::none)
+      return what;
+  state.restore();
+  system.set_load(state.accepted_load());
+  system.residual(); // for the reactions
+  return Events::none;
 }
 
 /// At a bifurcation rounding decides how much of the mode a solution has. The state interpolated

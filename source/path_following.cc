@@ -211,6 +211,18 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::advance()
   return {};
 }
 
+/// The last step has been too long.
+template <int dim>
+void PathFollowing<dim>::step_back()
+{
+  const std::vector<double> arc = places();
+  ++n_failures;
+  state.forget();
+  system.set_load(state.accepted_load());
+  predictor.adapt(std::numeric_limits<double>::infinity());
+  stepper.start((arc.back() - arc[arc.size() - 2]) / 2., 1e-8);
+}
+
 template <int dim>
 typename PathFollowing<dim>::Solution PathFollowing<dim>::land_on_target()
 {
@@ -295,6 +307,10 @@ typename PathFollowing<dim>::End PathFollowing<dim>::follow(const Task& task, co
     const Events events = report_events(task, *next);
     if (events == Events::aim)
       return End::limit_point;
+    if (events == Events::hidden) {
+      step_back();
+      continue;
+    }
     if (events == Events::new_branch && !(next = switch_branch(stepper.step())))
       return End::lost;
     if (const std::optional<End> end = finish(task, *next))

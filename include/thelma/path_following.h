@@ -96,6 +96,7 @@ private:
   bool predict(double step);
   Solution solve(const Plane& plane);
   Solution advance();
+  void step_back();
 
   /// Tangent, slope and count of unstable directions at the iterate; @p plane faces forward.
   /// Whether the tangent could be factorised.
@@ -110,13 +111,19 @@ private:
   Solution locate_limit(double low, double high);
   Solution locate_bifurcation(double low, double high, long long before);
   Solution land_on_target();
-  enum class Events { none, aim, new_branch };
   struct Place {
     double arc, slope;
     long long unstable_directions;
   };
+  struct Event {
+    PathState found;
+    State::Accepted at;
+    BlockVector mode; ///< of a bifurcation
+  };
+  enum class Events { none, aim, new_branch, hidden };
+  bool find_events(const Place& low, const Place& high, std::vector<Event>& events);
+  Events report(const Task& task, const Event& event);
   Events report_events(const Task& task, const PathState& next);
-  Events report_between(const Task& task, const Place& low, const Place& high);
   void start_branch(double place);
   Solution switch_branch(double step);
   bool begin(const Task& task);
