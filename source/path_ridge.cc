@@ -35,16 +35,13 @@ private:
 
 /// Whether the body, held at the iterate by a force across the @p plane, has more than @p most
 /// unstable directions. The iterate itself is not in balance, which stiff directions may show as
-/// instability: they are corrected by the tangent at hand, which is that of the state found, and if
-/// that does not do, by their own.
+/// instability: only if that is corrected and it remains, there is one.
 template <int dim>
 bool is_unstable_held(System<dim>& system, const Plane& plane, const long long most,
                       NewtonReport& report)
 {
-  BorderedSystem bordered(system, plane);
-  if (bordered.residual().admissible() && bordered.solve_by_old_tangent().solved)
-    bordered.move_to(1.);
   constexpr int most_corrections = 1;
+  BorderedSystem bordered(system, plane);
   for (int k = 0; k <= most_corrections && bordered.residual().admissible(); ++k) {
     LinearReport tangent = bordered.linear_solve(false);
     if (tangent.solved)

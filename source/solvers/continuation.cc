@@ -31,12 +31,10 @@ ResidualReport BorderedSystem::residual()
 
 /// Always a fresh tangent, and none to be reused: where directions have lost their stiffness an old
 /// one lets rounding grow.
-LinearReport BorderedSystem::linear_solve(bool) { return solve(false); }
-
-LinearReport BorderedSystem::solve(const bool reuse)
+LinearReport BorderedSystem::linear_solve(bool)
 {
   base_load = system.load();
-  LinearReport report = system.linear_solve(reuse);
+  LinearReport report = system.linear_solve(false);
   report.cost = 0.;
   if (!report.solved)
     return report;

@@ -87,15 +87,10 @@ public:
   bool follow() override { return system.follow(); }
   ResidualReport residual() override;
   LinearReport linear_solve(bool reuse) override;
-
-  /// The correction by the tangent that the system has, as good as that is.
-  LinearReport solve_by_old_tangent() { return solve(true); }
   void move_to(double step) override;
   double rounding() override { return system.rounding(); }
 
 private:
-  LinearReport solve(bool reuse);
-
   LoadedSystem& system;
   Plane plane;
   double base_load = 0., load_change = 0.;
