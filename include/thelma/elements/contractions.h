@@ -42,44 +42,55 @@ struct Gradients {
   std::array<std::array<double, length>, dim> g;
 };
 
-/// Nodal values of one cell, [a][c], padded to one register per node.
+/// Nodal values of one cell, [a][c], padded to two registers per node, of which few components need
+/// one.
 template <int dim>
 struct NodalValues {
-  using Components = double __attribute__((vector_size(64)));
+  using Components = std::array<double, 8>;
 
   NodalValues(const double* x, const unsigned int n_nodes, const unsigned int n_c)
       : n_nodes(n_nodes), n_components(n_c)
   {
-    for (unsigned int a = 0; a < n_nodes; ++a) {
-      rows[a] = Components{};
-      for (unsigned int c = 0; c < n_c; ++c)
-        rows[a][c] = x[a * n_c + c];
-    }
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      for (unsigned int c = 0; c < 8; ++c)
+        rows[c / 4][a][c % 4] = c < n_c ? x[a * n_c + c] : 0.;
   }
 
   /// sum_a x_ac N_a for all components c.
-  Components value(const Gradients<dim>& gradients) const
-  {
-    Components result{};
-    for (unsigned int a = 0; a < n_nodes; ++a)
-      result += rows[a] * gradients.N[a];
-    return result;
-  }
+  Components value(const Gradients<dim>& gradients) const { return sum(gradients.N); }
 
   /// sum_a x_ac dN_a/dX_J for all directions J and components c.
   std::array<Components, dim> gradient(const Gradients<dim>& gradients) const
   {
-    std::array<Components, dim> result{};
-    for (unsigned int a = 0; a < n_nodes; ++a)
-      for (int J = 0; J < dim; ++J)
-        result[J] += rows[a] * gradients.g[J][a];
+    std::array<Components, dim> result;
+    for (int J = 0; J < dim; ++J)
+      result[J] = sum(gradients.g[J].data());
     return result;
   }
 
   unsigned int n_nodes, n_components;
 
 private:
-  std::array<Components, Gradients<dim>::length> rows;
+  using Vector = double __attribute__((vector_size(32)));
+
+  Components sum(const double* weights) const
+  {
+    Components result{};
+    for (unsigned int half = 0; 4 * half < n_components; ++half) {
+      Vector even{}, odd{};
+      for (unsigned int a = 0; a + 1 < n_nodes; a += 2) {
+        even += rows[half][a] * weights[a];
+        odd += rows[half][a + 1] * weights[a + 1];
+      }
+      if (n_nodes % 2 != 0)
+        even += rows[half][n_nodes - 1] * weights[n_nodes - 1];
+      for (unsigned int c = 0; c < 4; ++c)
+        result[4 * half + c] = even[c] + odd[c];
+    }
+    return result;
+  }
+
+  std::array<std::array<Vector, Gradients<dim>::length>, 2> rows;
 };
 
 /// Four doubles in one register, wherever they lie.
