@@ -143,6 +143,21 @@ def double_bifurcation(program, folder):
     require(curve["unstable_directions"][-1] == 2, "not two unstable directions")
 
 
+def branch(program, folder):
+    """The pump's bifurcation and the limit point of its branch are those of any target and step."""
+    found = [[(event, case.curve("e")["e"][row])
+              for row, event in enumerate(case.curve("event")["event"]) if event]
+             for case in cases(program, folder, "hard/buckling_branches",
+                               {"Expectations/Final values": ""}, "Loading/Target=1.5,10",
+                               "Stepping/Initial step=0.05,0.2")]
+    for events in found:
+        print("  " + ", ".join(f"{event} at e = {e:.9f}" for event, e in events))
+        require([event for event, _ in events] == ["bifurcation", "limit point"],
+                f"events {events}")
+        for (_, e), (name, first) in zip(events, found[0]):
+            require(abs(e / first - 1) < 1e-7, f"the {name} at {e}, before at {first}")
+
+
 def ends(program, folder):
     """Ends are called what they are, with what is known of them."""
     by_load = {"Stepping/Continuation": "load", "Loading/Until": "", "Output/Fields": "none"}
@@ -159,7 +174,7 @@ def ends(program, folder):
             require(text in report["reason"], f"{scene} does not say '{text}'")
 
 
-CASES = [limit_points, snap_through, heated_rest, mirror_image, double_bifurcation, ends]
+CASES = [limit_points, snap_through, heated_rest, mirror_image, double_bifurcation, branch, ends]
 
 
 def timed(program, folder, case):
