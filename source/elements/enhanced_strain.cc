@@ -284,9 +284,11 @@ private:
     double* alpha = values + Base::n_internal();
     for (int k = 0; k < dim; ++k, alpha += view.cell.n_components) {
       dealii::Tensor<1, dim> a;
-      std::copy_n(alpha, dim, a.begin_raw());
+      for (int i = 0; i < dim; ++i)
+        a[i] = alpha[i];
       a = A * a;
-      std::copy_n(a.begin_raw(), dim, alpha);
+      for (int i = 0; i < dim; ++i)
+        alpha[i] = a[i];
     }
   }
 

@@ -126,8 +126,7 @@ void FieldLayout<dim>::number_blockwise()
 
   const auto sizes = dealii::DoFTools::count_dofs_per_fe_block(dofs, block_of);
   const dealii::IndexSet owned = dofs.locally_owned_dofs();
-  dealii::IndexSet active;
-  dealii::DoFTools::extract_locally_active_dofs(dofs, active);
+  dealii::IndexSet active = dealii::DoFTools::extract_locally_active_dofs(dofs);
   if (elements.size() > 1)
     stand_ins = duplicate_dofs(dofs, polynomial_degree, first_component(Field::potential));
   for (const auto& [duplicate, original] : stand_ins)

@@ -65,7 +65,11 @@ struct Exchange {
 
   void collect(Vector& to)
   {
+#if DEAL_II_VERSION_GTE(9, 5, 0)
+    reader.import_elements(part, dealii::VectorOperation::insert);
+#else
     reader.import(part, dealii::VectorOperation::insert);
+#endif
     if (leads)
       std::copy_n(reader.begin(), to.size(), to.begin());
   }
@@ -102,7 +106,7 @@ std::optional<Eigenpair> smallest_eigenpair(const std::function<void(Vector&)>& 
   std::optional<Eigenpair> found;
   if (exchange.leads) {
     found = smallest_eigenpair_here(Inverse{exchange, solve}, exchange.whole, symmetric);
-    dealii::Utilities::MPI::broadcast(exchange.comm, false, 0);
+    static_cast<void>(dealii::Utilities::MPI::broadcast(exchange.comm, false, 0));
   } else
     while (Inverse{exchange, solve}.vmult(exchange.whole, exchange.whole)) {
     }
