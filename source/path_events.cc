@@ -14,14 +14,16 @@ namespace
 
 constexpr double finest = 1e-4; ///< arc length within which events are not told from each other
 
-std::string bifurcation_name(const long long multiplicity)
+} // namespace
+
+std::string PathEvent::name() const
 {
+  if (kind != Kind::bifurcation)
+    return kind == Kind::limit_point ? "limit point" : "";
   return multiplicity <= 1   ? "bifurcation"
          : multiplicity == 2 ? "double bifurcation"
                              : std::to_string(multiplicity) + "-fold bifurcation";
 }
-
-} // namespace
 
 template <int dim>
 typename PathFollowing<dim>::Solution PathFollowing<dim>::between(const double place)
@@ -104,7 +106,8 @@ bool PathFollowing<dim>::find_events(const Place& low, const Place& high,
                          : locate_bifurcation(low.arc, high.arc, low.unstable_directions);
   if (!found)
     return false;
-  found->event = turns ? "limit point" : bifurcation_name(change);
+  found->event = turns ? PathEvent{PathEvent::Kind::limit_point}
+                       : PathEvent{PathEvent::Kind::bifurcation, change};
   events.push_back({*found, {found->load, state.x, state.internal}, turns ? BlockVector() : mode});
   return true;
 }
@@ -118,7 +121,7 @@ typename PathFollowing<dim>::Events PathFollowing<dim>::report(const Task& task,
   system.set_load(event.at.load);
   system.residual(); // for the reactions
   task.record(event.found);
-  if (event.found.event == "limit point")
+  if (event.found.event.kind == PathEvent::Kind::limit_point)
     return task.stop_at_limit ? Events::aim : Events::none;
   task.record_mode(event.mode);
   if (branch == "none" || on_branch)

@@ -78,8 +78,7 @@ Outcome Problem<dim>::run()
   } catch (const OutOfMemory& error) {
     if (!state.path().empty())
       state.restore();
-    outcome = failure(Outcome::out_of_memory, error.what());
-    outcome.code = ExitCode::stopped;
+    outcome.end(EndReason::out_of_memory, error.what());
   }
   outcome.effort.add(path_following.effort());
   outcome.failed_steps += path_following.failures();
@@ -119,8 +118,8 @@ void Problem<dim>::heat()
     part = Part::loads;
     record(0., last);
   } else if (outcome.code == ExitCode::success)
-    outcome = failure("no convergence", "no stable state beyond " + as_text(state.theta) +
-                                            " K while heating: " + last_failure.reason);
+    outcome.end(EndReason::no_convergence, ": no stable state beyond " + as_text(state.theta) +
+                                               " K while heating: " + last_failure.reason);
 }
 
 /// In a transient scene up to the voltage at time 0.
@@ -222,14 +221,12 @@ bool Problem<dim>::jumps(NewtonReport& report, const Stepper& steps)
   return has_ridge;
 }
 
+/// The newest row of the curve is the last.
 template <int dim>
-Outcome Problem<dim>::failure(const std::string& name, const std::string& reason) const
+void Problem<dim>::end_here(const EndReason why, const std::string& details)
 {
-  Outcome failed = outcome;
-  failed.code = ExitCode::not_converged;
-  failed.name = name;
-  failed.reason = reason;
-  return failed;
+  outcome.end(why, details);
+  results.set_event(ending_of(why).event);
 }
 
 template <int dim>

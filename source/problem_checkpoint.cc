@@ -52,10 +52,8 @@ bool Problem<dim>::stops()
   const int wish = dealii::Utilities::MPI::max(stop_requested() ? 2 : is_due ? 1 : 0, comm);
   if (wish > 0)
     save();
-  if (wish == 2) {
-    outcome = failure("stopped", "stopped by a signal; " + results.advice());
-    outcome.code = ExitCode::stopped;
-  }
+  if (wish == 2)
+    outcome.end(EndReason::stopped, "; " + results.advice());
   return wish == 2;
 }
 

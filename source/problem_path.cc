@@ -64,7 +64,7 @@ void Problem<dim>::explain_end(const Stepper& steps, const std::function<void(do
   case PathEnding::limit_point:
     return explain_limit(steps, end.limit, between);
   case PathEnding::bifurcation:
-    outcome = failure("instability", "loss of stability" + between + ": " + last_failure.reason);
+    end_here(EndReason::instability, between + ": " + last_failure.reason);
     if (end.mode.n_blocks() > 0) {
       outcome.reason += "; the critical mode is " + describe_mode(layout, end.mode);
       if (part_within_cells(layout, end.mode) > of_cells)
@@ -73,12 +73,9 @@ void Problem<dim>::explain_end(const Stepper& steps, const std::function<void(do
       results.add_mode(scene(), end.mode);
     }
     outcome.reason += far_gone();
-    results.set_event("bifurcation");
     return;
   case PathEnding::no_convergence:
-    outcome = failure("no convergence",
-                      "no convergence" + between + ": " + last_failure.reason + far_gone());
-    results.set_event("no convergence");
+    end_here(EndReason::no_convergence, between + ": " + last_failure.reason + far_gone());
   }
 }
 
@@ -89,15 +86,10 @@ void Problem<dim>::explain_limit(const Stepper& steps, const double limit,
   const auto field = [&](const double load) {
     return loading.field(loading.voltage(present.level(load)));
   };
-  if (present.kind != Stage::Kind::voltage) {
-    outcome = failure("limit point", "limit point" + between);
-    results.set_event("limit point");
-    return;
-  }
+  if (present.kind != Stage::Kind::voltage)
+    return end_here(EndReason::limit_point, between);
   outcome.pull_in = Bracket{field(steps.accepted()), field(steps.failed()), field(limit)};
-  outcome.name = "pull-in";
-  outcome.reason = "pull-in" + between;
-  results.set_event("pull-in");
+  end_here(EndReason::pull_in, between);
   if (!loading.expects_pull_in()) {
     outcome.code = ExitCode::not_converged;
     outcome.reason += ", before the target";
@@ -116,10 +108,10 @@ typename PathFollowing<dim>::Task Problem<dim>::task(const Stepper& steps)
     const double e = loading.field(state.voltage);
     results.add(
         scene(),
-        {first_load + found.load, e, found.step, 0., found.unstable_directions, found.event},
+        {first_load + found.load, e, found.step, 0., found.unstable_directions, found.event.name()},
         found.report);
     const bool is_of_voltage = part == Part::loads && present.kind == Stage::Kind::voltage;
-    if (found.event == "limit point" && is_of_voltage && !outcome.pull_in)
+    if (found.event.kind == PathEvent::Kind::limit_point && is_of_voltage && !outcome.pull_in)
       outcome.pull_in = Bracket{e, e, e};
   };
   task.stops = [this]() { return stops(); };
@@ -159,8 +151,8 @@ void Problem<dim>::explain_end(const PathEnd end)
   where << std::setprecision(8) << " at e = " << loading.field(state.voltage);
   switch (end) {
   case PathEnd::limit_point:
-    outcome.name = "pull-in";
-    outcome.reason = "limit point" + where.str();
+    outcome.ended = EndReason::pull_in;
+    outcome.reason = ending_of(EndReason::limit_point).sentence + where.str();
     return;
   case PathEnd::observable:
     outcome.reason = "the path reached " + loading.until().begin()->first + " = " +
@@ -170,15 +162,14 @@ void Problem<dim>::explain_end(const PathEnd end)
   case PathEnd::stopped: // stops() has told why
     return;
   case PathEnd::no_load:
-    outcome = failure("no load", "the path has returned to no load");
+    outcome.end(EndReason::no_load, "");
     return;
   case PathEnd::most_steps:
-    outcome = failure("most steps", "the path was left after the most steps allowed" + where.str());
+    outcome.end(EndReason::most_steps, where.str());
     return;
   case PathEnd::lost:
-    outcome = failure("no convergence", "the path was lost" + where.str() + ": " +
+    end_here(EndReason::no_convergence, ": the path was lost" + where.str() + ": " +
                                             path_following.last_failure() + far_gone());
-    results.set_event("no convergence");
   }
 }
 

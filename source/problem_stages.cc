@@ -98,7 +98,7 @@ void Problem<dim>::apply_loads()
       ramp(stage);
   }
   if (outcome.has_reached_target() && loading.expects_pull_in() && !layout.is_transient()) {
-    outcome = failure(Outcome::target_reached, "the target was reached but a pull-in was expected");
+    outcome.reason = "the target was reached but a pull-in was expected";
     outcome.code = ExitCode::expectation_failed;
   }
 }

@@ -23,8 +23,8 @@ std::string Problem<dim>::end_in_time(const NewtonReport& last) const
 {
   const std::string time = as_text(state.accepted_load()) + " s";
   if (last.converged)
-    return "beyond " + time + " no time step keeps Time/Tolerance; choose a larger one";
-  return "no stable state beyond " + time + ": " + last.reason +
+    return " beyond " + time + " no time step keeps Time/Tolerance; choose a larger one";
+  return ": no stable state beyond " + time + ": " + last.reason +
          (state.accepted_load() > 0. ? ""
                                      : "; against a jump at time 0 more Newton/Iterations help, or "
                                        "an amplitude that rises");
@@ -59,9 +59,7 @@ void Problem<dim>::evolve()
     }
     ++outcome.failed_steps;
     if (transient.exhausted()) {
-      outcome = failure("no convergence", end_in_time(report));
-      results.set_event("no convergence");
-      return;
+      return end_here(EndReason::no_convergence, end_in_time(report));
     }
   }
 }

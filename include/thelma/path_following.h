@@ -11,6 +11,16 @@
 namespace thelma
 {
 
+/// What a path passes.
+struct PathEvent {
+  enum class Kind { none, limit_point, bifurcation };
+  Kind kind = Kind::none;
+  long long multiplicity = 1; ///< of a bifurcation
+
+  /// As in the curve.
+  std::string name() const;
+};
+
 /// A state found on a path.
 struct PathState {
   NewtonReport report;
@@ -19,7 +29,7 @@ struct PathState {
   double step = 0.;  ///< of arc length, the next one
   double place = 0.; ///< arc length from the first of the remembered states, of a located event
   long long unstable_directions = 0;
-  std::string event;
+  PathEvent event;
 
   /// What a step that begins here needs to know.
   template <class Archive>

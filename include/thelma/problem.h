@@ -117,7 +117,7 @@ private:
   void check_path() const;
   void explain_end(PathEnd end);
   void record(double load, const NewtonReport& report);
-  Outcome failure(const std::string& name, const std::string& reason) const;
+  void end_here(EndReason why, const std::string& details);
   Scene<dim> scene();
 
   std::string scene_folder;   ///< from which the scene names its files

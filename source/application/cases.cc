@@ -60,7 +60,7 @@ void write_row(std::ostream& table, const Case& one, const std::vector<std::stri
   const Outcome& outcome = *one.outcome;
   for (const Override& change : one.changes)
     table << quoted(change.value) << ',';
-  table << quoted(one.name) << ',' << static_cast<int>(outcome.code) << ',' << outcome.name << ','
+  table << quoted(one.name) << ',' << static_cast<int>(outcome.code) << ',' << outcome.name() << ','
         << quoted(outcome.reason) << ',';
   if (outcome.pull_in)
     table << outcome.pull_in->e_below;

@@ -55,7 +55,7 @@ const double* find(const Outcome& outcome, const std::string& column)
 
 bool ended_at_pull_in(const Outcome& outcome)
 {
-  return outcome.pull_in && outcome.name != Outcome::target_reached;
+  return outcome.pull_in && outcome.ended != EndReason::target;
 }
 
 } // namespace
@@ -103,9 +103,9 @@ std::vector<Result> results(const Outcome& outcome, const double newton_toleranc
 
 std::string disagreement(const Outcome& given, const Outcome& other)
 {
-  if (other.code == ExitCode::not_converged || given.name != other.name ||
+  if (other.code == ExitCode::not_converged || given.ended != other.ended ||
       given.pull_in.has_value() != other.pull_in.has_value())
-    return "ended otherwise: " + (other.reason.empty() ? other.name : other.reason);
+    return "ended otherwise: " + (other.reason.empty() ? other.name() : other.reason);
   if (ended_at_pull_in(given))
     return "";
   // Of a mirror image what is large has changed its sign, and has about its size.

@@ -177,7 +177,7 @@ bool Estimation::repeat(Series& series, const std::string& name, const std::stri
     });
   console << "\nagain " << title << "\n";
   const Outcome found = again.run(comm, console);
-  was_stopped = found.code == ExitCode::stopped && found.name != Outcome::out_of_memory;
+  was_stopped = found.ended == EndReason::stopped;
   if (was_stopped)
     return false;
   const std::string problem = disagreement(given, found);

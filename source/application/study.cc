@@ -70,14 +70,13 @@ Outcome ended_by(const std::exception& error)
   Outcome outcome;
   const bool lacks_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
   const bool is_input = lacks_memory || dynamic_cast<const InputError*>(&error) != nullptr;
-  outcome.code = is_input ? ExitCode::bad_input : ExitCode::internal_error;
-  outcome.name = is_input ? "bad input" : "internal error";
   std::ostringstream reason;
   if (const auto* internal = dynamic_cast<const dealii::ExceptionBase*>(&error))
     internal->print_info(reason);
   else
     reason << (lacks_memory ? out_of_memory : error.what());
-  outcome.reason = std::regex_replace(reason.str(), std::regex("\\s+"), " ");
+  outcome.end(is_input ? EndReason::bad_input : EndReason::internal_error,
+              std::regex_replace(reason.str(), std::regex("\\s+"), " "));
   return outcome;
 }
 

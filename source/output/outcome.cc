@@ -11,10 +11,17 @@
 namespace thelma
 {
 
+void Outcome::end(const EndReason why, const std::string& details)
+{
+  ended = why;
+  code = ending_of(why).code;
+  reason = ending_of(why).sentence + details;
+}
+
 std::string Outcome::summary() const
 {
   std::ostringstream text;
-  text << (reason.empty() ? name : reason);
+  text << (reason.empty() ? name() : reason);
   if (is_lasting())
     text << "; " << steps << " steps, " << effort.iterations << " Newton iterations, "
          << std::setprecision(3) << seconds << " s";

@@ -17,7 +17,7 @@ void write_run_report(const Outcome& outcome, const std::string& scene, const st
 {
   ordered_json report;
   report["scene"] = scene;
-  report["outcome"] = outcome.name;
+  report["outcome"] = outcome.name();
   report["exit_code"] = static_cast<int>(outcome.code);
   report["reason"] = outcome.reason;
   report["pull_in"] = nullptr;
@@ -53,7 +53,7 @@ void write_run_report(const Outcome& outcome, const std::string& scene, const st
 namespace
 {
 
-Outcome outcome_of(const ordered_json& report)
+std::optional<Outcome> outcome_of(const ordered_json& report)
 {
   // JSON has no number for what is not finite; it is written as null.
   const auto number = [](const ordered_json& value) {
@@ -61,7 +61,10 @@ Outcome outcome_of(const ordered_json& report)
   };
   Outcome outcome;
   outcome.code = static_cast<ExitCode>(report.at("exit_code").get<int>());
-  outcome.name = report.at("outcome");
+  const std::optional<EndReason> ended = end_reason(report.at("outcome"));
+  if (!ended)
+    return std::nullopt; // of another version
+  outcome.ended = *ended;
   outcome.reason = report.at("reason");
   if (const ordered_json& pull_in = report.at("pull_in"); !pull_in.is_null())
     outcome.pull_in = {number(pull_in.at("e_below")), number(pull_in.at("e_above")),

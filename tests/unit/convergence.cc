@@ -100,7 +100,7 @@ TEST(Convergence, MirrorImagesAndOtherEndsAreNotCompared)
 TEST(Convergence, ABracketIsPartOfTheError)
 {
   Outcome outcome = ended(0.62, 3.);
-  outcome.name = "pull-in";
+  outcome.ended = EndReason::pull_in;
   outcome.pull_in = Bracket{0.5, 0.6, 0.55};
   const std::vector<Result> found = results(outcome, 1e-10);
   ASSERT_EQ(found.size(), 1u);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <thelma/base/error.h>
 #include <thelma/output/curve.h>
+#include <thelma/output/ending.h>
 #include <thelma/solvers/newton.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -29,10 +29,8 @@ struct Bracket {
 
 /// How a run ended and what it cost.
 struct Outcome {
-  static constexpr const char *target_reached = "target reached", *out_of_memory = "out of memory";
-
-  ExitCode code = ExitCode::success;
-  std::string name = target_reached; ///< or `pull-in`, `instability`, `no convergence`, ...
+  EndReason ended = EndReason::target;
+  ExitCode code = ExitCode::success; ///< that of the reason, if nothing else was expected
   std::string reason;                ///< a sentence
   std::optional<Bracket> pull_in;
 
@@ -47,8 +45,16 @@ struct Outcome {
   std::vector<std::string> modelled;
   std::vector<std::pair<std::string, double>> final_values; ///< newest row of the curve
 
+  /// From now on it has ended so; @p details go on after the sentence of the @p why.
+  void end(EndReason why, const std::string& details);
+
+  std::string name() const { return ending_of(ended).name; }
+
   /// Whether nothing has ended the run before its target.
-  bool has_reached_target() const { return code == ExitCode::success && name == target_reached; }
+  bool has_reached_target() const
+  {
+    return code == ExitCode::success && ended == EndReason::target;
+  }
 
   /// Whether the same run would end alike: not after it was stopped, nor after an error that the
   /// input or the program can lose while the parameters stay the same.
