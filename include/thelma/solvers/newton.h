@@ -99,7 +99,7 @@ struct Failure {
 };
 
 /// Outcome of one nonlinear solve; a failure is a value.
-struct NewtonReport : NewtonEffort, Failure {
+struct [[nodiscard]] NewtonReport : NewtonEffort, Failure {
   bool converged = false;
   std::vector<double> residuals;
   double rounding = 0.; ///< of the last residual, where it was asked for
