@@ -124,7 +124,7 @@ typename PathFollowing<dim>::Events PathFollowing<dim>::report(const Task& task,
   if (event.found.event.kind == PathEvent::Kind::limit_point)
     return task.stop_at_limit ? Events::aim : Events::none;
   task.record_mode(event.mode);
-  if (branch == "none" || on_branch)
+  if (!chooses_branch() || on_branch)
     return Events::none;
   mode = event.mode;
   start_branch(event.found.place);
@@ -168,7 +168,7 @@ void PathFollowing<dim>::start_branch(const double place)
 template <int dim>
 typename PathFollowing<dim>::Solution PathFollowing<dim>::switch_branch(double step)
 {
-  const double load = state.accepted_load(), sign = branch == "plus" ? 1. : -1.;
+  const double load = state.accepted_load(), sign = branch == Branch::plus ? 1. : -1.;
   while (step > 1e-6) {
     state.x.add(sign * step / metric.length(mode.block(0), 0.), mode);
     state.x.update_ghost_values();

@@ -1,4 +1,5 @@
 #include <thelma/base/error.h>
+#include <thelma/base/option_names.h>
 #include <thelma/base/parameters.h>
 #include <thelma/fields/named_dofs.h>
 #include <thelma/path_following.h>
@@ -15,20 +16,20 @@ void PathFollowing<dim>::declare(dealii::ParameterHandler& prm)
 {
   using namespace dealii::Patterns;
   const Section section(prm, {"Stepping"});
-  prm.add_parameter("Continuation", continuation,
-                    "`load`: up to the first instability; `automatic`: from there along the arc "
-                    "length of the path, stable or not.",
-                    Selection("load|automatic"));
+  OptionNames<Continuation>({{"load", Continuation::load}, {"automatic", Continuation::automatic}})
+      .declare(prm, "Continuation", continuation,
+               "`load`: up to the first instability; `automatic`: from there along the arc "
+               "length of the path, stable or not.");
   prm.add_parameter("Controlled displacement", controlled,
                     "Mean displacement of a surface, line or point, as `top: u3`, that leads along "
                     "the path in place of its arc length. Empty: none.",
                     Map(Anything(), Anything(), 0, 1));
   check_values(prm, "Controlled displacement",
                [](const std::string& text) { components_named<dim>(text); });
-  prm.add_parameter("Branch", branch,
-                    "Which path the continuation takes from the first bifurcation: the old one "
-                    "(`none`), or the new one to either side.",
-                    Selection("none|plus|minus"));
+  OptionNames<Branch>({{"none", Branch::none}, {"plus", Branch::plus}, {"minus", Branch::minus}})
+      .declare(prm, "Branch", branch,
+               "Which path the continuation takes from the first bifurcation: the old one "
+               "(`none`), or the new one to either side.");
   prm.add_parameter("Most steps", most_steps, "The continuation ends after so many.", Integer(1));
 }
 
@@ -39,7 +40,7 @@ void PathFollowing<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& la
   const std::string place = "section Stepping, entry 'Controlled displacement'";
   if (controlled.empty())
     return;
-  if (!is_automatic() || branch != "none")
+  if (!is_automatic() || chooses_branch())
     throw InputError(place + ": it leads along a path only with Continuation = automatic and "
                              "Branch = none");
   const auto& [group, component] = *controlled.begin();

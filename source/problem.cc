@@ -1,3 +1,4 @@
+#include <thelma/base/option_names.h>
 #include <thelma/base/quantity.h>
 #include <thelma/path_ridge.h>
 #include <thelma/problem.h>
@@ -52,11 +53,13 @@ void Problem<dim>::declare()
   stepper.declare(prm);
   {
     const Section section(prm, {"Stepping"});
-    prm.add_parameter("Unstable states", unstable_states,
-                      "Whether an equilibrium with unstable directions ends the run (`reject`) or "
-                      "is kept, with an event in the curve (`keep`); `automatic`: `reject` where "
-                      "the linear solver can count them.",
-                      Selection("automatic|reject|keep"));
+    OptionNames<UnstableStates>({{"automatic", UnstableStates::automatic},
+                                 {"reject", UnstableStates::reject},
+                                 {"keep", UnstableStates::keep}})
+        .declare(prm, "Unstable states", unstable_states,
+                 "Whether an equilibrium with unstable directions ends the run (`reject`) or "
+                 "is kept, with an event in the curve (`keep`); `automatic`: `reject` where "
+                 "the linear solver can count them.");
   }
   path_following.declare(prm);
   newton.declare(prm);
@@ -190,7 +193,7 @@ NewtonReport Problem<dim>::judged(System<dim>& solved, NewtonReport report) cons
   }
   report.negative_pivots = counted.negative_pivots;
   const long long unstable = solved.unstable_directions(counted.negative_pivots);
-  const bool rejects = unstable_states != "keep" || path_following.is_automatic();
+  const bool rejects = unstable_states != UnstableStates::keep || path_following.is_automatic();
   if (unstable != 0 && rejects)
     report.refuse(Refusal::unstable,
                   "the state found has " + std::to_string(unstable) + " unstable direction(s)");

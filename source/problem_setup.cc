@@ -125,7 +125,7 @@ void Problem<dim>::choose_solvers()
 {
   if (path_following.is_automatic())
     system.require_inertia("Stepping/Continuation = automatic");
-  else if (unstable_states == "reject")
+  else if (unstable_states == UnstableStates::reject)
     system.require_inertia("Stepping/Unstable states = reject");
   system.choose(layout.is_transient() ? Solved::deformation : Solved::all);
   if (layout.is_transient())

@@ -1,4 +1,5 @@
 #include <thelma/base/complaints.h>
+#include <thelma/base/option_names.h>
 #include <thelma/base/parameters.h>
 #include <thelma/transient.h>
 
@@ -10,6 +11,17 @@
 
 namespace thelma
 {
+namespace
+{
+
+OptionNames<StructuralHeat> structural_heats()
+{
+  return {{{"none", StructuralHeat::none},
+           {"power", StructuralHeat::power},
+           {"entropy", StructuralHeat::entropy}}};
+}
+
+} // namespace
 
 template <int dim>
 void Transient<dim>::declare(dealii::ParameterHandler& prm)
@@ -17,15 +29,15 @@ void Transient<dim>::declare(dealii::ParameterHandler& prm)
   using namespace dealii::Patterns;
   stepper.declare(prm);
   const Section section(prm, {"Time"});
-  prm.add_parameter("Coupling", coupling,
-                    "`staggered`: temperature, then displacement and potential, two symmetric "
-                    "systems; `monolithic`: all at once, one unsymmetric system.",
-                    Selection("staggered|monolithic"));
-  prm.add_parameter("Structural heat", structural_heat,
-                    "Heat made by deformation and field: `none`; `power`: H beside the constant "
-                    "capacity c, as in the paper; `entropy`: theta times the rate of entropy, "
-                    "which conserves energy.",
-                    Selection("none|power|entropy"));
+  OptionNames<Coupling>({{"staggered", Coupling::staggered}, {"monolithic", Coupling::monolithic}})
+      .declare(prm, "Coupling", coupling,
+               "`staggered`: temperature, then displacement and potential, two symmetric "
+               "systems; `monolithic`: all at once, one unsymmetric system.");
+  structural_heats().declare(
+      prm, "Structural heat", structural_heat,
+      "Heat made by deformation and field: `none`; `power`: H beside the "
+      "constant capacity c, as in the paper; `entropy`: theta times the rate "
+      "of entropy, which conserves energy.");
   const std::string form = ", an expression of t (s) or a table `0: 0, 2.5: 1`.";
   prm.add_parameter("Voltage amplitude", voltage_text, "Multiple of the voltage over time" + form,
                     Anything());
@@ -62,7 +74,8 @@ void Transient<dim>::read_amplitudes()
   complaints.raise();
   if (layout.is_transient())
     return;
-  if (voltage_text != "1" || wall_text != "1" || power_text != "1" || structural_heat != "none")
+  if (voltage_text != "1" || wall_text != "1" || power_text != "1" ||
+      structural_heat != StructuralHeat::none)
     throw InputError("section Time: nothing changes in time here; choose Model = transient in the "
                      "section Temperature, or remove the amplitudes and the structural heat");
 }
@@ -150,9 +163,7 @@ NewtonReport Transient<dim>::step(Predictor<dim>& predictor, const Newton& newto
 {
   const double time = stepper.next();
   state.rates = backward_differences(time, times(), stepper.order());
-  state.rates->heat = structural_heat == "power"     ? StructuralHeat::power
-                      : structural_heat == "entropy" ? StructuralHeat::entropy
-                                                     : StructuralHeat::none;
+  state.rates->heat = structural_heat;
   predictor.predict(time, LoadSymmetry::none);
   NewtonReport report;
   for (unsigned int n = 1; n <= wall_parts; ++n) {
@@ -282,12 +293,12 @@ std::vector<std::string> Transient<dim>::summary() const
   const double ratio =
       2. * std::pow(n + n_theta, power) / (std::pow(n, power) + std::pow(n_theta, power));
   std::ostringstream text;
-  text << std::setprecision(2) << "coupling: " << coupling
+  text << std::setprecision(2) << "coupling: " << (is_monolithic() ? "monolithic" : "staggered")
        << "; staggered is cheaper, because its two matrices are symmetric and smaller: one "
        << "monolithic factorisation costs about " << ratio << " times as much";
   std::vector<std::string> lines{
       "time: " + std::string(stepper.order() == 2 ? "BDF2" : "backward Euler") +
-          ", structural heat: " + structural_heat,
+          ", structural heat: " + structural_heats().name(structural_heat),
       text.str()};
   if (const std::string sentence = stepper.steps_over(bends); !sentence.empty())
     lines.push_back(sentence);

@@ -56,8 +56,8 @@ public:
   void setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
              const BoundaryConditions<dim>& conditions);
 
-  bool is_automatic() const { return continuation == "automatic"; }
-  bool chooses_branch() const { return branch != "none"; }
+  bool is_automatic() const { return continuation == Continuation::automatic; }
+  bool chooses_branch() const { return branch != Branch::none; }
 
   /// Whether a limit point announces itself on a path whose loads grow in steps of @p step.
   bool turns_soon(double step) const
@@ -94,6 +94,8 @@ public:
   const std::string& last_failure() const { return failure; }
 
 private:
+  enum class Continuation { load, automatic };
+  enum class Branch { none, plus, minus };
   using Solution = std::optional<PathState>;
 
   void choose_metric();
@@ -145,7 +147,8 @@ private:
   Predictor<dim>& predictor;
   const Newton& newton;
 
-  std::string continuation = "load", branch = "none";
+  Continuation continuation = Continuation::load;
+  Branch branch = Branch::none;
   std::map<std::string, std::string> controlled;
   unsigned int most_steps = 1000;
 

@@ -117,6 +117,7 @@ private:
   void check_path() const;
   void explain_end(PathEnd end);
   void record(double load, const NewtonReport& report);
+  enum class UnstableStates { automatic, reject, keep };
   void end_here(EndReason why, const std::string& details);
   Scene<dim> scene();
 
@@ -156,7 +157,7 @@ private:
   double first_load = 0.; ///< of the present stage, in the curve
   Outcome outcome;
   Failure last_failure;
-  std::string unstable_states = "automatic";
+  UnstableStates unstable_states = UnstableStates::automatic;
   long long last_unstable = 0; ///< unstable directions at the newest row of the curve
 };
 

@@ -61,7 +61,7 @@ public:
   /// Return to the last accepted state and shorten the step.
   void cut_back();
 
-  bool is_monolithic() const { return coupling == "monolithic"; }
+  bool is_monolithic() const { return coupling == Coupling::monolithic; }
   System<dim>& heated_system() { return system; }
   double initial_voltage() const { return voltage_at(0.); }
   double step_size() const { return stepper.step(); }
@@ -78,6 +78,8 @@ public:
   }
 
 private:
+  enum class Coupling { staggered, monolithic };
+
   /// The fields at a time in s.
   struct Moment {
     double time;
@@ -109,7 +111,8 @@ private:
   /// Walls that jump do so in this many parts, as a shorter time makes no jump smaller.
   unsigned int wall_parts = 1;
 
-  std::string coupling = "staggered", structural_heat = "none";
+  Coupling coupling = Coupling::staggered;
+  StructuralHeat structural_heat = StructuralHeat::none;
   std::string voltage_text = "1", wall_text = "1", power_text = "1";
   std::optional<Amplitude> voltage_amplitude, wall_amplitude, power_amplitude;
   std::vector<double> kinks, bends; ///< of all amplitudes, s

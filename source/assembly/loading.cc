@@ -1,6 +1,7 @@
 #include <thelma/assembly/loading.h>
 #include <thelma/base/complaints.h>
 #include <thelma/base/error.h>
+#include <thelma/base/option_names.h>
 #include <thelma/base/parameters.h>
 #include <thelma/base/quantity.h>
 
@@ -12,15 +13,25 @@
 
 namespace thelma
 {
+namespace
+{
+
+OptionNames<Loading::Control> controls()
+{
+  return {{{"voltage", Loading::Control::voltage},
+           {"e", Loading::Control::e},
+           {"charge", Loading::Control::charge}}};
+}
+
+} // namespace
 
 void Loading::declare(dealii::ParameterHandler& prm)
 {
   using namespace dealii::Patterns;
   const Section section(prm, {"Loading"});
-  prm.add_parameter("Control", control,
-                    "What Target is: the `voltage` in kV, the dimensionless field `e`, or the "
-                    "`charge` in uC of floating electrodes.",
-                    Selection("voltage|e|charge"));
+  controls().declare(prm, "Control", control,
+                     "What Target is: the `voltage` in kV, the dimensionless field `e`, or the "
+                     "`charge` in uC of floating electrodes.");
   prm.add_parameter("Target", target_text,
                     "Where the run ends unless an instability ends it before. Unit: that of "
                     "Control, kV, none or uC.",
@@ -46,10 +57,10 @@ void Loading::declare(dealii::ParameterHandler& prm)
                     "Where a path that is followed through instabilities ends before Target, as "
                     "`column: value` of the curve.",
                     Map(Anything(), Double(), 0, 1));
-  prm.add_parameter("Expected end", expected_end,
-                    "`target`: an instability before the target is exit code 3; `pull-in`: it is "
-                    "the aim.",
-                    Selection("target|pull-in"));
+  OptionNames<ExpectedEnd>({{"target", ExpectedEnd::target}, {"pull-in", ExpectedEnd::pull_in}})
+      .declare(prm, "Expected end", expected_end,
+               "`target`: an instability before the target is exit code 3; `pull-in`: it is "
+               "the aim.");
 }
 
 void Loading::setup(const MaterialLibrary& materials, const double theta)
@@ -64,10 +75,10 @@ void Loading::setup(const MaterialLibrary& materials, const double theta)
   complaints.allow([&]() { target = read_target(); });
   complaints.allow([&]() { read_stages(); });
   complaints.raise();
-  if (control == "charge")
+  if (control == Control::charge)
     target_charge = target;
   else
-    target_voltage = control == "e" ? target / field_per_voltage : target;
+    target_voltage = control == Control::e ? target / field_per_voltage : target;
 }
 
 const Material& Loading::film_of(const MaterialLibrary& materials) const
@@ -87,14 +98,14 @@ double Loading::read_target() const
                      "' is negative; write a positive one and turn the signs around in the section "
                      "Electrodes, as `top: -1`");
   try {
-    return Quantity(control == "e"         ? "1"
-                    : control == "voltage" ? "kV"
-                                           : "uC",
+    return Quantity(control == Control::e         ? "1"
+                    : control == Control::voltage ? "kV"
+                                                  : "uC",
                     1e-12, 1e6)
         .value(target_text);
   } catch (const InputError& error) {
     throw InputError("section Loading, entry 'Target': " + std::string(error.what()) +
-                     ", or choose another Control than " + control);
+                     ", or choose another Control than " + controls().name(control));
   }
 }
 
@@ -131,7 +142,7 @@ void Loading::read_stages()
                                                  {"connect", Stage::Kind::connect},
                                                  {"disconnect", Stage::Kind::disconnect}};
   if (stage_texts.empty()) {
-    stage_list = {{kinds.at(control == "charge" ? "charge" : "voltage"), 1., ""}};
+    stage_list = {{kinds.at(control == Control::charge ? "charge" : "voltage"), 1., ""}};
     return;
   }
   for (const std::string& text : stage_texts) {
@@ -186,7 +197,7 @@ std::string Loading::description() const
   std::ostringstream text;
   if (!has_stage(Stage::Kind::voltage) && !has_stage(Stage::Kind::charge))
     text << "loading: no stage applies a voltage or a charge";
-  else if (control == "charge")
+  else if (control == Control::charge)
     text << "loading: charge to " << target_charge << " uC";
   else
     text << "loading: voltage to " << target_voltage << " kV, e = " << field(target_voltage);

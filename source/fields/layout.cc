@@ -1,5 +1,6 @@
 #include <thelma/base/complaints.h>
 #include <thelma/base/error.h>
+#include <thelma/base/option_names.h>
 #include <thelma/base/parameters.h>
 #include <thelma/fields/duplicates.h>
 #include <thelma/fields/layout.h>
@@ -43,10 +44,12 @@ void FieldLayout<dim>::declare(dealii::ParameterHandler& prm)
                       List(Anything(), 0, 100));
   }
   const Section section(prm, {"Temperature"});
-  prm.add_parameter("Model", temperature_model,
-                    "`uniform`: a number, no unknowns; `steady`: conduction in the deformed body; "
-                    "`transient`: the same over time, from the uniform Value at time 0.",
-                    Selection("uniform|steady|transient"));
+  OptionNames<TemperatureModel>({{"uniform", TemperatureModel::uniform},
+                                 {"steady", TemperatureModel::steady},
+                                 {"transient", TemperatureModel::transient}})
+      .declare(prm, "Model", temperature_model,
+               "`uniform`: a number, no unknowns; `steady`: conduction in the deformed body; "
+               "`transient`: the same over time, from the uniform Value at time 0.");
 }
 
 template <int dim>
@@ -75,7 +78,7 @@ void FieldLayout<dim>::setup(const Mesh<dim>& mesh, const MaterialLibrary& mater
   present = {Field::displacement};
   if (!std::all_of(regions.begin(), regions.end(), is_passive))
     present.push_back(Field::potential);
-  if (temperature_model != "uniform")
+  if (temperature_model != TemperatureModel::uniform)
     present.push_back(Field::temperature);
 
   build_elements();

@@ -1,4 +1,5 @@
 #include <thelma/base/axes.h>
+#include <thelma/base/option_names.h>
 #include <thelma/base/parameters.h>
 #include <thelma/output/curve.h>
 #include <thelma/output/fields.h>
@@ -141,11 +142,11 @@ template <int dim>
 void FieldWriter<dim>::declare(dealii::ParameterHandler& prm)
 {
   const Section section(prm, {"Output"});
-  prm.add_parameter(
-      "Fields", frequency,
-      "For which accepted steps the fields are written as VTU, a file for every 16 ranks: "
-      "`every`, `last` or `none`.",
-      dealii::Patterns::Selection("every|last|none"));
+  OptionNames<Frequency>(
+      {{"every", Frequency::every}, {"last", Frequency::last}, {"none", Frequency::none}})
+      .declare(prm, "Fields", frequency,
+               "For which accepted steps the fields are written as VTU, a file for every 16 "
+               "ranks: `every`, `last` or `none`.");
 }
 
 template <int dim>
@@ -164,7 +165,7 @@ template <int dim>
 void FieldWriter<dim>::write(const Scene<dim>& scene, const std::string& folder,
                              const unsigned int step, const double load, const bool last)
 {
-  if (frequency == "none" || (frequency == "every") == last)
+  if (frequency == Frequency::none || (frequency == Frequency::every) == last)
     return;
   std::vector<std::string> names;
   std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation> kinds;
@@ -202,7 +203,7 @@ template <int dim>
 void FieldWriter<dim>::write_mode(const Scene<dim>& scene, const std::string& folder,
                                   BlockVector mode)
 {
-  if (frequency == "none")
+  if (frequency == Frequency::none)
     return;
   std::vector<std::string> names;
   std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation> kinds;

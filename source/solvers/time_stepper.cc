@@ -1,4 +1,5 @@
 #include <thelma/base/error.h>
+#include <thelma/base/option_names.h>
 #include <thelma/base/parameters.h>
 #include <thelma/base/quantity.h>
 #include <thelma/solvers/time_stepper.h>
@@ -14,10 +15,10 @@ void TimeStepper::declare(dealii::ParameterHandler& prm)
   using namespace dealii::Patterns;
   const Section section(prm, {"Time"});
   add_quantity(prm, "End", end, "Where a transient run ends.", Quantity("s", 1e-12));
-  prm.add_parameter("Scheme", scheme,
-                    "`BDF2`: backward differences of second order, begun with one step of the "
-                    "first; `backward Euler`: of first order.",
-                    Selection("BDF2|backward Euler"));
+  OptionNames<Scheme>({{"BDF2", Scheme::BDF2}, {"backward Euler", Scheme::backward_Euler}})
+      .declare(prm, "Scheme", scheme,
+               "`BDF2`: backward differences of second order, begun with one step of the "
+               "first; `backward Euler`: of first order.");
   add_quantity(prm, "Initial step", initial,
                "First time step to try. Half of it is compared with it, and so on until the "
                "error is within the tolerance.",

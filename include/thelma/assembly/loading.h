@@ -46,6 +46,9 @@ struct Levels {
 class Loading
 {
 public:
+  /// What the target is.
+  enum class Control { voltage, e, charge };
+
   void declare(dealii::ParameterHandler& prm);
 
   /// Fix the film's properties at the uniform (or initial) temperature @p theta in K.
@@ -73,19 +76,23 @@ public:
   /// Column of the curve at whose value the path ends, if there is one.
   const std::map<std::string, double>& until() const { return until_values; }
 
-  bool expects_pull_in() const { return expected_end == "pull-in"; }
+  bool expects_pull_in() const { return expected_end == ExpectedEnd::pull_in; }
   std::string description() const;
 
   /// What the quantity of a stage is at these @p levels, as a sentence names it.
   std::string between(Stage::Kind kind, double low, double high) const;
 
 private:
+  enum class ExpectedEnd { target, pull_in };
+
   const Material& film_of(const MaterialLibrary& materials) const;
   double read_target() const;
   void read_stages();
   void check_that_stages_go_anywhere() const;
 
-  std::string control = "e", target_text = "1", expected_end = "target", film_material;
+  Control control = Control::e;
+  ExpectedEnd expected_end = ExpectedEnd::target;
+  std::string target_text = "1", film_material;
 
   std::map<std::string, double> until_values;
   std::vector<std::string> stage_texts;

@@ -55,7 +55,7 @@ public:
   bool has(Field field) const;
 
   /// Whether the temperature field changes in time.
-  bool is_transient() const { return temperature_model == "transient"; }
+  bool is_transient() const { return temperature_model == TemperatureModel::transient; }
 
   /// Fields in the order of their blocks and components.
   const std::vector<Field>& fields() const { return present; }
@@ -126,7 +126,8 @@ private:
 
   unsigned int polynomial_degree = 1;
   std::vector<std::string> passive_regions;
-  std::string temperature_model = "uniform";
+  enum class TemperatureModel { uniform, steady, transient };
+  TemperatureModel temperature_model = TemperatureModel::uniform;
 
   std::vector<Field> present;
   std::unique_ptr<dealii::FE_Q<dim>> scalar;

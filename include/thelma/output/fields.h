@@ -38,7 +38,8 @@ public:
 
 private:
   unsigned int n_modes = 0;
-  std::string frequency = "last";
+  enum class Frequency { every, last, none };
+  Frequency frequency = Frequency::last;
   std::vector<std::pair<double, std::string>> written;
 };
 

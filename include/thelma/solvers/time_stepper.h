@@ -30,7 +30,7 @@ public:
   std::string steps_over(std::vector<double> bends) const;
 
   /// Order of the differences: 1 (backward Euler) or 2.
-  unsigned int order() const { return scheme == "BDF2" ? 2 : 1; }
+  unsigned int order() const { return scheme == Scheme::BDF2 ? 2 : 1; }
 
   /// Next time to try, in s.
   double next();
@@ -62,7 +62,8 @@ public:
 
 private:
   double end = 1., initial = 0.01, largest = 1e300, tolerance = 0.1;
-  std::string scheme = "BDF2";
+  enum class Scheme { BDF2, backward_Euler };
+  Scheme scheme = Scheme::BDF2;
   std::vector<double> wanted_stops;
 
   double time = 0., trial = 0., size = 0.;
