@@ -90,7 +90,7 @@ TEST(Convergence, MirrorImagesAndOtherEndsAreNotCompared)
   opposite_noise.final_values[2].second = 1e-12;
   EXPECT_EQ(disagreement(given, opposite_noise), "");
   Outcome pull_in = given;
-  pull_in.name = pull_in.reason = "pull-in";
+  pull_in.end(EndReason::pull_in, "");
   pull_in.pull_in = Bracket{0.5, 0.6, 0.55};
   EXPECT_EQ(disagreement(given, pull_in), "ended otherwise: pull-in");
   EXPECT_EQ(doubt(given, given), "");
