@@ -93,6 +93,7 @@ def check_path(program, folder):
     require(all(w[1:] > w[:-1]), "the deflection does not grow all the way")
     require(curve["event"][-1] == "pull-in", f"the last event is '{curve['event'][-1]}'")
     require_near("pull-in, paper's element", case.pull_in()[0], PULL_IN)
+    require_near("pull-in, Q2/P1", program.run(QUARTER, folder).pull_in()[0], PULL_IN)
     require(0.27 < w[-1] / LENGTH < 0.30, f"deflection {w[-1]} mm at pull-in, not about 0.285 L")
 
 
