@@ -32,8 +32,7 @@ double turning_load(System<dim>& system, State& state)
     if (n < back)
       continue;
     const State::Accepted& accepted = state.path()[n - back];
-    state.x = accepted.x;
-    state.internal = accepted.internal;
+    state.go_to(accepted);
     system.set_load(accepted.load);
     squares[2 - back] = accepted.load * accepted.load;
     slopes[2 - back] = std::pow(slope(system), 2);

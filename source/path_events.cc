@@ -116,8 +116,7 @@ bool PathFollowing<dim>::find_events(const Place& low, const Place& high,
 template <int dim>
 typename PathFollowing<dim>::Events PathFollowing<dim>::report(const Task& task, const Event& event)
 {
-  state.x = event.at.x;
-  state.internal = event.at.internal;
+  state.go_to(event.at);
   system.set_load(event.at.load);
   system.residual(); // for the reactions
   task.record(event.found);

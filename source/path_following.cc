@@ -203,25 +203,20 @@ typename PathFollowing<dim>::Solution PathFollowing<dim>::advance()
     }
     if (found)
       failure = "the state found is not the continuation of the path";
-    ++n_failures;
-    state.restore();
-    system.set_load(state.accepted_load());
-    predictor.adapt(std::numeric_limits<double>::infinity());
-    stepper.cut_back();
+    turn_back(stepper.step());
   }
   return {};
 }
 
-/// The last step has been too long.
+/// To the last accepted state, as a step of this @p length did not lead on.
 template <int dim>
-void PathFollowing<dim>::step_back()
+void PathFollowing<dim>::turn_back(const double length)
 {
-  const std::vector<double> arc = places();
   ++n_failures;
-  state.forget();
+  state.restore();
   system.set_load(state.accepted_load());
   predictor.adapt(std::numeric_limits<double>::infinity());
-  stepper.start((arc.back() - arc[arc.size() - 2]) / 2., 1e-8);
+  stepper.cut_back(length);
 }
 
 template <int dim>
@@ -309,7 +304,9 @@ typename PathFollowing<dim>::End PathFollowing<dim>::follow(const Task& task, co
     if (events == Events::aim)
       return End::limit_point;
     if (events == Events::hidden) {
-      step_back();
+      const std::vector<double> arc = places();
+      state.forget();
+      turn_back(arc.back() - arc[arc.size() - 2]);
       continue;
     }
     if (events == Events::new_branch && !(next = switch_branch(stepper.step())))

@@ -76,8 +76,7 @@ bool is_beyond_ridge(System<dim>& system, State& state, Predictor<dim>& predicto
   plane.normal = way;
   plane.value = plane.excess(system);
   const bool has_ridge = is_unstable_held(system, plane, most, report);
-  state.x = found.x;
-  state.internal = found.internal;
+  state.go_to(found);
   return has_ridge;
 }
 

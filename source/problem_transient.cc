@@ -58,9 +58,8 @@ void Problem<dim>::evolve()
       predictor.adapt(std::numeric_limits<double>::infinity());
     }
     ++outcome.failed_steps;
-    if (transient.exhausted()) {
+    if (transient.exhausted())
       return end_here(EndReason::no_convergence, end_in_time(report));
-    }
   }
 }
 

@@ -108,7 +108,7 @@ private:
   bool predict(double step);
   Solution solve(const Plane& plane);
   Solution advance();
-  void step_back();
+  void turn_back(double length);
 
   /// Tangent, slope and count of unstable directions at the iterate; @p plane faces forward.
   /// Whether the tangent could be factorised.

@@ -55,6 +55,8 @@ public:
   bool finished() const;
 
 private:
+  enum class UnstableStates { automatic, reject, keep };
+
   /// The stage that the load factor now drives.
   struct Ramp {
     Stage::Kind kind = Stage::Kind::voltage;
@@ -117,7 +119,6 @@ private:
   void check_path() const;
   void explain_end(PathEnd end);
   void record(double load, const NewtonReport& report);
-  enum class UnstableStates { automatic, reject, keep };
   void end_here(EndReason why, const std::string& details);
   Scene<dim> scene();
 

@@ -18,10 +18,10 @@ void State::resume(std::vector<Accepted> path)
   restore();
 }
 
-void State::restore()
+void State::go_to(const Accepted& accepted)
 {
-  x = past.back().x;
-  internal = past.back().internal;
+  x = accepted.x;
+  internal = accepted.internal;
 }
 
 void State::forget()

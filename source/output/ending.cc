@@ -8,7 +8,6 @@ namespace thelma
 namespace
 {
 
-/// In the order of EndReason.
 constexpr std::array<Ending, 11> endings{{
     {EndReason::target, ExitCode::success, "target reached", "", ""},
     {EndReason::pull_in, ExitCode::success, "pull-in", "pull-in", "pull-in"},
@@ -31,7 +30,8 @@ constexpr std::array<Ending, 11> endings{{
 
 const Ending& ending_of(const EndReason reason)
 {
-  return endings[static_cast<std::size_t>(reason)];
+  return *std::find_if(endings.begin(), endings.end(),
+                       [&](const Ending& one) { return one.reason == reason; });
 }
 
 std::optional<EndReason> end_reason(const std::string& name)

@@ -280,13 +280,13 @@ TEST(ArcStepper, GrowsAgainAfterAFailure)
 {
   ArcStepper stepper;
   stepper.start(1., 1e-3);
-  stepper.cut_back();
+  stepper.cut_back(stepper.step());
   EXPECT_EQ(stepper.step(), 0.5);
   for (int n = 0; n < 10; ++n)
     stepper.accept(3, 0.01, 2.);
   EXPECT_EQ(stepper.step(), 2.);
   for (int n = 0; n < 20; ++n)
-    stepper.cut_back();
+    stepper.cut_back(stepper.step());
   EXPECT_TRUE(stepper.exhausted());
 }
 

@@ -42,18 +42,22 @@ struct Gradients {
   std::array<std::array<double, length>, dim> g;
 };
 
+/// Four doubles in one register, wherever they lie.
+using Register = double __attribute__((vector_size(32), aligned(8), may_alias));
+
 /// Nodal values of one cell, [a][c], padded to two registers per node, of which few components need
 /// one.
 template <int dim>
 struct NodalValues {
-  using Components = std::array<double, 8>;
+  static constexpr unsigned int width = 4, n_registers = 2; ///< doubles in a register
+  using Components = std::array<double, n_registers * width>;
 
   NodalValues(const double* x, const unsigned int n_nodes, const unsigned int n_c)
       : n_nodes(n_nodes), n_components(n_c)
   {
     for (unsigned int a = 0; a < n_nodes; ++a)
-      for (unsigned int c = 0; c < 8; ++c)
-        rows[c / 4][a][c % 4] = c < n_c ? x[a * n_c + c] : 0.;
+      for (unsigned int c = 0; c < n_registers * width; ++c)
+        rows[c / width][a][c % width] = c < n_c ? x[a * n_c + c] : 0.;
   }
 
   /// sum_a x_ac N_a for all components c.
@@ -71,30 +75,21 @@ struct NodalValues {
   unsigned int n_nodes, n_components;
 
 private:
-  using Vector = double __attribute__((vector_size(32)));
-
   Components sum(const double* weights) const
   {
     Components result{};
-    for (unsigned int half = 0; 4 * half < n_components; ++half) {
-      Vector even{}, odd{};
-      for (unsigned int a = 0; a + 1 < n_nodes; a += 2) {
-        even += rows[half][a] * weights[a];
-        odd += rows[half][a + 1] * weights[a + 1];
-      }
-      if (n_nodes % 2 != 0)
-        even += rows[half][n_nodes - 1] * weights[n_nodes - 1];
-      for (unsigned int c = 0; c < 4; ++c)
-        result[4 * half + c] = even[c] + odd[c];
+    for (unsigned int r = 0; r * width < n_components; ++r) {
+      Register total{};
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        total += rows[r][a] * weights[a];
+      for (unsigned int c = 0; c < width; ++c)
+        result[r * width + c] = total[c];
     }
     return result;
   }
 
-  std::array<std::array<Vector, Gradients<dim>::length>, 2> rows;
+  Register rows[n_registers][Gradients<dim>::length];
 };
-
-/// Four doubles in one register, wherever they lie.
-using Register = double __attribute__((vector_size(32), aligned(8), may_alias));
 
 /// Which components of a cell the Fields are: @p first to first + Fields::n of @p n.
 struct CellComponents {

@@ -119,6 +119,8 @@ public:
   std::vector<std::string> summary() const;
 
 private:
+  enum class TemperatureModel { uniform, steady, transient };
+
   void build_elements();
   void number_blockwise();
   unsigned int block_on_cell(const Cell<dim>& cell, unsigned int c) const;
@@ -126,7 +128,6 @@ private:
 
   unsigned int polynomial_degree = 1;
   std::vector<std::string> passive_regions;
-  enum class TemperatureModel { uniform, steady, transient };
   TemperatureModel temperature_model = TemperatureModel::uniform;
 
   std::vector<Field> present;

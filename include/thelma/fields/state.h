@@ -42,8 +42,11 @@ public:
   /// Remember the iterate as the converged state at the load factor @p load.
   void accept(double load);
 
+  /// Make the @p accepted state the iterate.
+  void go_to(const Accepted& accepted);
+
   /// Return to the last accepted state.
-  void restore();
+  void restore() { go_to(past.back()); }
 
   /// Forget the last accepted state and return to the one before it.
   void forget();

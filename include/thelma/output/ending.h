@@ -26,10 +26,10 @@ enum class EndReason {
 /// What is known of every run that ends so.
 struct Ending {
   EndReason reason;
-  ExitCode code;     ///< of a pull-in that was expected, success
-  const char* name;  ///< `outcome` in run.json and cases.csv
-  const char *event, ///< in the last row of curve.csv
-      *sentence;     ///< begins what the run says of its end
+  ExitCode code;        ///< of a pull-in that was expected, success
+  const char* name;     ///< `outcome` in run.json and cases.csv
+  const char* event;    ///< in the last row of curve.csv
+  const char* sentence; ///< begins what the run says of its end
 };
 
 const Ending& ending_of(EndReason reason);

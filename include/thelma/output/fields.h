@@ -37,8 +37,9 @@ public:
   }
 
 private:
-  unsigned int n_modes = 0;
   enum class Frequency { every, last, none };
+
+  unsigned int n_modes = 0;
   Frequency frequency = Frequency::last;
   std::vector<std::pair<double, std::string>> written;
 };

@@ -108,7 +108,9 @@ public:
   }
   double step() const { return size; }
   bool exhausted() const { return !(size >= smallest); }
-  void cut_back() { size /= 2.; }
+
+  /// A step of this @p length has failed.
+  void cut_back(const double length) { size = length / 2.; }
 
   /// @p surprise: distance of the state from its guess over the length of the step.
   void accept(unsigned int newton_iterations, double surprise, double longest);

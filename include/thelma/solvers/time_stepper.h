@@ -61,8 +61,9 @@ public:
   }
 
 private:
-  double end = 1., initial = 0.01, largest = 1e300, tolerance = 0.1;
   enum class Scheme { BDF2, backward_Euler };
+
+  double end = 1., initial = 0.01, largest = 1e300, tolerance = 0.1;
   Scheme scheme = Scheme::BDF2;
   std::vector<double> wanted_stops;
 
