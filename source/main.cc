@@ -1,6 +1,6 @@
 #include <thelma/application/estimate.h>
 #include <thelma/application/excerpt.h>
-#include <thelma/application/simulation.h>
+#include <thelma/application/run_scene.h>
 #include <thelma/application/study.h>
 #include <thelma/base/complaints.h>
 #include <thelma/base/start_up.h>

@@ -1,7 +1,7 @@
 #include <thelma/application/convergence.h>
 #include <thelma/application/estimate.h>
 #include <thelma/application/run_command.h>
-#include <thelma/application/simulation.h>
+#include <thelma/application/run_scene.h>
 #include <thelma/output/checkpoints.h>
 #include <thelma/output/curve.h>
 
@@ -50,11 +50,12 @@ struct Entries {
       add("Mesh", "Refinements", refinements);
       add("Discretisation", "Degree", degree);
       add("Temperature", "Model", temperature);
+      add("Time", "Analysis", analysis);
       add("Time", "Scheme", scheme);
       add("Newton", "Tolerance", newton_tolerance);
     });
   }
-  bool is_transient() const { return temperature == "transient"; }
+  bool is_transient() const { return temperature == "transient" || analysis == "transient"; }
 };
 
 /// The time in s at the end of every step of the run in @p folder.

@@ -1,5 +1,5 @@
 #include <thelma/application/run_command.h>
-#include <thelma/application/simulation.h>
+#include <thelma/application/run_scene.h>
 #include <thelma/application/study.h>
 #include <thelma/base/error.h>
 #include <thelma/base/stop_signal.h>

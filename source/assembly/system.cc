@@ -25,9 +25,10 @@ double norm(const BlockVector::BlockType& x)
 
 template <int dim>
 System<dim>::System(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
-                    const NodalHeat<dim>& heat, State& state, Timings& timings)
-    : layout(layout), conditions(conditions), heat(heat), state(state), timings(timings),
-      floating(layout, conditions)
+                    const Loads<dim>& loads, const HeatStorage<dim>& storage, State& state,
+                    Timings& timings)
+    : layout(layout), conditions(conditions), loads(loads), storage(storage), state(state),
+      timings(timings), floating(layout, conditions)
 {
 }
 
@@ -59,15 +60,9 @@ template <int dim>
 void System<dim>::setup()
 {
   const auto timer = timings.measure("setup");
-  const Solved fields = solved;
-  const bool heated = layout.has(Field::temperature);
-  const auto is_solved = [heated, fields](const Cell<dim>& cell, const unsigned int c) {
-    const bool temperature = heated && c == cell.n_components - 1;
-    return fields == Solved::all || temperature == (fields == Solved::temperature);
-  };
   matrix.setup(layout, conditions,
-               [is_solved](const Cell<dim>& cell, const unsigned int c, const unsigned int d) {
-                 return is_solved(cell, c) && is_solved(cell, d);
+               [this](const Cell<dim>& cell, const unsigned int c, const unsigned int d) {
+                 return solves(cell.field_of(c)) && solves(cell.field_of(d));
                });
   floating.setup(solved != Solved::temperature);
   state.internal.resize(layout.cells().size() * formulation->n_internal());
@@ -75,7 +70,7 @@ void System<dim>::setup()
   internal_residual.assign(state.internal.size(), 0.);
   eliminations.assign(layout.cells().size() * formulation->n_elimination(), 0.);
   raw_residual = layout.new_vector();
-  base = nodal_correction = nodal_response = loads = layout.new_vector();
+  base = nodal_correction = nodal_response = holding = layout.new_vector();
   internal_base = internal_correction = internal_response = state.internal;
   state.x.update_ghost_values();
   compute_scales();
@@ -92,14 +87,6 @@ void System<dim>::choose(const Solved fields, const System& other)
 }
 
 template <int dim>
-void System<dim>::setup(const System& other)
-{
-  if (solved != Solved::temperature)
-    pressure = other.pressure;
-  setup();
-}
-
-template <int dim>
 void System<dim>::compute_scales()
 {
   const Integration<dim> rule(layout, layout.degree() + 1);
@@ -107,8 +94,7 @@ void System<dim>::compute_scales()
   volume = 0.;
   for_each_cell([&](const CellView<dim>& view) {
     const Material& material = *view.cell.material;
-    const double mu = material.shear_modulus(state.theta);
-    const double D = std::sqrt(mu * material.permittivity(state.theta));
+    const auto units = flux_units(material, state.theta);
     const int n_c = view.cell.n_components;
     for (unsigned int q = 0; q < rule.basis().n_points; ++q) {
       const auto& point = rule.of_cell(view.index)[q];
@@ -121,9 +107,7 @@ void System<dim>::compute_scales()
             point.JxW * (dealii::transpose(point.inverse_jacobian) * reference).norm();
         for (int c = 0; c < n_c; ++c)
           forces(view.cell.dofs[a * n_c + c]) +=
-              size * (c < dim                               ? mu
-                      : c == dim && view.cell.has_potential ? D
-                                                            : material.thermal.k);
+              size * units[static_cast<std::size_t>(view.cell.field_of(c))];
       }
     }
   });
@@ -154,12 +138,12 @@ ResidualReport System<dim>::residual()
               internal_residual.begin() + view.index * formulation->n_internal());
     layout.scatter(view.cell, result.residual, raw_residual);
   });
-  if (pressure)
-    pressure->add_forces(-1., state.x, raw_residual);
+  loads.add_forces(
+      -1., state, state.x, [this](const Field field) { return solves(field); }, raw_residual);
   raw_residual.compress(dealii::VectorOperation::add);
   if (solved != Solved::deformation)
-    heat.add_residual(state, raw_residual);
-  raw_residual.add(-load_level, loads);
+    storage.add_residual(state, raw_residual);
+  raw_residual -= holding;
   clear_given(raw_residual);
 
   ResidualReport report{0., dealii::Utilities::MPI::min(min_det_F, layout.communicator())};
@@ -172,17 +156,6 @@ ResidualReport System<dim>::residual()
     report.include(norm(residual.block(b)) / scale(b));
   include_charges(report);
   return report;
-}
-
-template <int dim>
-BlockVector System<dim>::loads_at(const BlockVector& x) const
-{
-  BlockVector result = layout.new_vector();
-  if (pressure)
-    pressure->add_forces(1., x, result);
-  result.compress(dealii::VectorOperation::add);
-  result.add(load_level, loads);
-  return result;
 }
 
 template <int dim>
@@ -209,11 +182,11 @@ void System<dim>::assemble_tangent()
     unstable += result.unstable_inside;
     keep_elimination(view.index, result);
   });
-  if (pressure)
-    pressure->add_tangent(state.x, matrix);
+  loads.add_tangent(
+      state, [this](const Field field) { return solves(field); }, matrix);
   matrix.finish();
   if (solved != Solved::deformation)
-    heat.add_tangent(state, matrix);
+    storage.add_tangent(state, matrix);
   unstable_inside = dealii::Utilities::MPI::sum(unstable, layout.communicator());
 }
 

@@ -8,12 +8,9 @@ namespace thelma
 template <int dim>
 void System<dim>::clear_given(BlockVector& x) const
 {
-  for (unsigned int b = 0; b < x.n_blocks(); ++b) {
-    const bool temperature =
-        layout.has(Field::temperature) && b == layout.block(Field::temperature);
-    if (solved != Solved::all && temperature != (solved == Solved::temperature))
-      x.block(b) = 0.;
-  }
+  for (const Field field : layout.fields())
+    if (!solves(field))
+      x.block(layout.block(field)) = 0.;
 }
 
 /// A wrong temperature is as bad where it is stored as where it is conducted.
@@ -22,7 +19,7 @@ double System<dim>::scale(const unsigned int block) const
 {
   const bool temperature =
       layout.has(Field::temperature) && block == layout.block(Field::temperature);
-  const double size = scales[block] + (temperature ? heat.storage_scale(state) : 0.);
+  const double size = scales[block] + (temperature ? storage.storage_scale(state) : 0.);
   return size > 0. ? size : 1.; // where all is given
 }
 
@@ -37,8 +34,8 @@ HeatInflow System<dim>::heat_inflow() const
       own[1] += raw_residual(unknown) / state.x(unknown);
     }
   dealii::Utilities::MPI::sum(own, layout.communicator(), sum);
-  const HeatInflow elsewhere = heat.inflow(state);
-  return {sum[0] + elsewhere.heat, sum[1] + elsewhere.entropy};
+  const HeatInflow loaded = loads.heat_inflow(layout, state), stored = storage.wall_inflow(state);
+  return {sum[0] + loaded.heat + stored.heat, sum[1] + loaded.entropy + stored.entropy};
 }
 
 template <int dim>

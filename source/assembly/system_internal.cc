@@ -29,7 +29,8 @@ void System<dim>::keep_elimination(const std::size_t cell, const CellResult& res
 template <int dim>
 Elimination<dim> System<dim>::elimination(const std::size_t cell) const
 {
-  return {cell, layout.cells()[cell].n_components,
+  const Cell<dim>& whole = layout.cells()[cell];
+  return {cell, whole.n_components, whole.component(Field::temperature),
           eliminations.data() + cell * formulation->n_elimination(),
           internal_residual.data() + cell * formulation->n_internal()};
 }

@@ -16,7 +16,7 @@ template <int dim>
 void System<dim>::set_load(const double load)
 {
   load_factor = load;
-  prescription(load);
+  path->go_to(load);
 }
 
 /// By central differences of the residual, which is quadratic in the potential: no formulation need
@@ -109,7 +109,7 @@ double System<dim>::orientation(BlockVector& mode) const
     for (int d = 0; d < dim; ++d)
       arm += oblique[axis<dim>(d)] * cell.iterator->center()[d];
     for (std::size_t i = 0; i < values.size(); ++i)
-      if (i % cell.n_components < dim)
+      if (cell.field_of(i % cell.n_components) == Field::displacement)
         sum += arm * oblique[axis<dim>(i % cell.n_components)] * values[i];
   }
   mode.zero_out_ghost_values();

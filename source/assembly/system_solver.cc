@@ -72,8 +72,7 @@ LinearReport System<dim>::prepare_solver()
 {
   std::vector<bool> is_solved;
   for (const Field field : layout.fields())
-    is_solved.push_back(solved == Solved::all ||
-                        (field == Field::temperature) == (solved == Solved::temperature));
+    is_solved.push_back(solves(field));
   if (pressures)
     pressures->update([this](const std::size_t index) {
       const Cell<dim>& cell = layout.cells()[index];

@@ -28,7 +28,7 @@ LinearReport System<dim>::count_pivots(const long long own)
   report = symmetric_part->prepare_solver();
   unstable_inside = symmetric_part->unstable_inside;
   const bool agrees = (report.negative_pivots + unstable_inside - parity) % 2 == 0;
-  if (!report.solved || layout.is_transient() || agrees)
+  if (!report.solved || layout.has_transient_temperature() || agrees)
     return report;
   BlockVector mode;
   const double nearest = symmetric_part->critical_mode(mode);

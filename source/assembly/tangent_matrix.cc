@@ -76,7 +76,7 @@ void TangentMatrix<dim>::for_each_run(const CellPlaces& place, const std::size_t
   if (!row.own || row.pattern == CellPlaces::no_pattern)
     return;
   const std::size_t n_blocks = tangent.n_block_rows();
-  std::array<double*, 3> begins;
+  std::array<double*, n_field_kinds> begins;
   for (std::size_t b = 0; b < n_blocks; ++b)
     begins[b] = block_values[row.block * n_blocks + b] + place.begins[i * n_blocks + b];
   const unsigned short* offset = place.offsets_of(row);

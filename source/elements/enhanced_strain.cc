@@ -196,8 +196,7 @@ private:
   double mode_error(const CellView<dim>& view, const double* R) const
   {
     const Material& material = *view.cell.material;
-    const double mu = material.shear_modulus(view.theta);
-    const double D = std::sqrt(mu * material.permittivity(view.theta));
+    const auto units = flux_units(material, view.theta);
     const int n_c = view.cell.n_components;
     const double volume = centre->of_cell(view.index)->JxW;
     double sum = 0.;
@@ -207,9 +206,7 @@ private:
         for (int J = 0; J < dim; ++J)
           size += std::pow(modes[view.index * n_points + q][J][k], 2) * volume / n_points;
       for (int c = 0; c < n_c; ++c) {
-        const double unit = c < dim                               ? mu
-                            : c == dim && view.cell.has_potential ? D
-                                                                  : material.thermal.k;
+        const double unit = units[static_cast<std::size_t>(view.cell.field_of(c))];
         if (unit > 0.) // without conduction a mode of the temperature does nothing
           sum += std::pow(R[k * n_c + c] / unit, 2) / size;
       }

@@ -83,7 +83,8 @@ void PressureDilatation<dim>::eliminate(const Elimination<dim>& cell, double* re
     for (unsigned int j = 0; j < n_modes; ++j)
       t += M[i][j] * R_p[j];
     for (unsigned int a = 0; a < n_nodes; ++a)
-      residual[(a + 1) * cell.n_components - 1] += t * B[(dim + 1) * block_size() + i * stride + a];
+      residual[a * cell.n_components + cell.heat] +=
+          t * B[(dim + 1) * block_size() + i * stride + a];
   }
 }
 
@@ -105,7 +106,7 @@ void PressureDilatation<dim>::recover(const Elimination<dim>& cell, const double
       for (int c = 0; c < dim; ++c)
         R_p[i] += B[c * block_size() + i * stride + a] * dx[a * n_c + c];
       if (has_temperature)
-        R_t[i] += B[dim * block_size() + i * stride + a] * dx[a * n_c + n_c - 1];
+        R_t[i] += B[dim * block_size() + i * stride + a] * dx[a * n_c + cell.heat];
     }
   for (unsigned int i = 0; i < n_modes; ++i) {
     double &p = correction[i], &t = correction[n_modes + i];

@@ -12,7 +12,7 @@ void PressureDilatation<dim>::add_heat(const CellView<dim>& view, const CellPoin
   if (!view.solves_temperature() || !view.history)
     return;
   const unsigned int n_nodes = rule().basis().n_nodes;
-  const int n_c = view.cell.n_components, heat = n_c - 1;
+  const int n_c = view.cell.n_components, heat = view.cell.component(Field::temperature);
   const CellHistory& history = *view.history;
   double* B = Kept<double>(*this, result.elimination.data()).B;
   double* dh_dt = B + (dim + 1) * block_size();

@@ -185,27 +185,15 @@ void BoundaryConditions<dim>::fix_temperatures(const Mesh<dim>& mesh,
     throw InputError(place + ": a uniform temperature is set by 'Value'; remove this entry or "
                              "choose Model = steady");
   for (const auto& [surface, theta] : temperatures)
-    fix(mesh, layout, surface, place, layout.first_component(Field::temperature), theta,
-        heated_dofs);
+    fix(mesh, layout, surface, place, layout[Field::temperature].component, theta, heated_dofs);
 }
 
 template <int dim>
-void BoundaryConditions<dim>::apply(const double voltage, const double theta_start,
-                                    const double heating, BlockVector& x) const
+void BoundaryConditions<dim>::hold_supports(BlockVector& x) const
 {
   for (const auto& [dof, value] : fixed_dofs)
     if (owned.is_element(dof))
       x(dof) = value;
-  for (const auto& [dof, way] : moved_dofs)
-    if (owned.is_element(dof))
-      x(dof) = way_part * way;
-  for (const auto& [dof, factor] : driven_dofs)
-    if (owned.is_element(dof))
-      x(dof) = factor * voltage;
-  for (const auto& [dof, theta] : heated_dofs)
-    if (owned.is_element(dof))
-      x(dof) = theta_start + heating * (theta - theta_start);
-  x.update_ghost_values();
 }
 
 template <int dim>

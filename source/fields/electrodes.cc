@@ -98,7 +98,7 @@ void Electrodes<dim>::add(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
                           Electrode electrode, const std::string& place)
 {
   const auto dofs =
-      dofs_on(mesh, layout, electrode.name, place, layout.first_component(Field::potential));
+      dofs_on(mesh, layout, electrode.name, place, layout[Field::potential].component);
   if (dofs.empty())
     throw InputError(place + ": surface '" + electrode.name +
                      "' touches only regions without electric field");

@@ -18,14 +18,9 @@ namespace thelma
 
 std::string field_name(const Field field)
 {
-  switch (field) {
-  case Field::displacement:
-    return "displacement u";
-  case Field::potential:
-    return "potential phi";
-  default:
-    return "temperature theta";
-  }
+  static const std::array<std::string, n_field_kinds> names{"displacement u", "potential phi",
+                                                            "temperature theta"};
+  return names[static_cast<std::size_t>(field)];
 }
 
 template <int dim>
@@ -42,6 +37,13 @@ void FieldLayout<dim>::declare(dealii::ParameterHandler& prm)
     prm.add_parameter("Passive", passive_regions,
                       "Regions that carry no electric field; the potential is not solved there.",
                       List(Anything(), 0, 100));
+  }
+  {
+    const Section section(prm, {"Time"});
+    OptionNames<Analysis>({{"automatic", Analysis::automatic}, {"transient", Analysis::transient}})
+        .declare(prm, "Analysis", analysis,
+                 "`automatic`: in time where a temperature field is transient; `transient`: in "
+                 "time, after the stages, under loads that follow their amplitudes.");
   }
   const Section section(prm, {"Temperature"});
   OptionNames<TemperatureModel>({{"uniform", TemperatureModel::uniform},
@@ -80,6 +82,7 @@ void FieldLayout<dim>::setup(const Mesh<dim>& mesh, const MaterialLibrary& mater
     present.push_back(Field::potential);
   if (temperature_model != TemperatureModel::uniform)
     present.push_back(Field::temperature);
+  place_fields();
 
   build_elements();
   cell_mapping = std::make_unique<dealii::MappingQ<dim>>(mesh.is_curved() ? polynomial_degree : 1);
@@ -93,6 +96,18 @@ void FieldLayout<dim>::setup(const Mesh<dim>& mesh, const MaterialLibrary& mater
 }
 
 template <int dim>
+void FieldLayout<dim>::place_fields()
+{
+  unsigned int block = 0, component = 0;
+  field_places.fill(std::nullopt);
+  for (const Field field : present) {
+    const unsigned int n = field == Field::displacement ? dim : 1;
+    field_places[static_cast<std::size_t>(field)] = FieldPlace{block++, component, n};
+    component += n;
+  }
+}
+
+template <int dim>
 void FieldLayout<dim>::build_elements()
 {
   scalar = std::make_unique<dealii::FE_Q<dim>>(polynomial_degree);
@@ -103,10 +118,8 @@ void FieldLayout<dim>::build_elements()
     std::vector<const dealii::FiniteElement<dim>*> bases;
     for (const Field field : present) {
       const bool absent = field == Field::potential && !with_potential;
-      bases.insert(bases.end(), field == Field::displacement ? dim : 1, nullptr);
-      for (auto& base : bases)
-        if (base == nullptr)
-          base = absent ? static_cast<const dealii::FiniteElement<dim>*>(&nothing) : scalar.get();
+      const dealii::FiniteElement<dim>* base = scalar.get();
+      bases.insert(bases.end(), (*this)[field].n_components, absent ? &nothing : base);
     }
     elements.push_back(dealii::FESystem<dim>(bases, std::vector<unsigned int>(bases.size(), 1)));
 
@@ -122,16 +135,16 @@ void FieldLayout<dim>::build_elements()
 template <int dim>
 void FieldLayout<dim>::number_blockwise()
 {
-  std::vector<unsigned int> block_of(n_components());
-  for (unsigned int c = 0; c < n_components(); ++c)
-    block_of[c] = block_of_component(c);
+  std::vector<unsigned int> block_of;
+  for (const Field field : present)
+    block_of.insert(block_of.end(), (*this)[field].n_components, block(field));
   dealii::DoFRenumbering::component_wise(dofs, block_of);
 
   const auto sizes = dealii::DoFTools::count_dofs_per_fe_block(dofs, block_of);
   const dealii::IndexSet owned = dofs.locally_owned_dofs();
   dealii::IndexSet active = dealii::DoFTools::extract_locally_active_dofs(dofs);
   if (elements.size() > 1)
-    stand_ins = duplicate_dofs(dofs, polynomial_degree, first_component(Field::potential));
+    stand_ins = duplicate_dofs(dofs, polynomial_degree, (*this)[Field::potential].component);
   for (const auto& [duplicate, original] : stand_ins)
     if (active.is_element(duplicate))
       active.add_index(original);
@@ -164,7 +177,12 @@ void FieldLayout<dim>::collect_cells(const Mesh<dim>& mesh, const MaterialLibrar
       for (const int i : position[fe_index])
         if (i >= 0)
           cell.dofs.push_back(indices[i]);
-      cell.n_components = cell.dofs.size() / scalar->dofs_per_cell;
+      cell.n_components = 0;
+      for (const Field field : present)
+        if (field != Field::potential || cell.has_potential) {
+          cell.components[static_cast<std::size_t>(field)] = cell.n_components;
+          cell.n_components += (*this)[field].n_components;
+        }
       for (const auto dof : cell.dofs) {
         const auto [block, index] = indices_of_blocks.global_to_local(dof);
         cell.local.push_back(example.block(block).get_partitioner()->global_to_local(index));
@@ -208,21 +226,11 @@ bool FieldLayout<dim>::has(const Field field) const
 }
 
 template <int dim>
-unsigned int FieldLayout<dim>::block(const Field field) const
+const FieldPlace& FieldLayout<dim>::operator[](const Field field) const
 {
-  return std::find(present.begin(), present.end(), field) - present.begin();
-}
-
-template <int dim>
-unsigned int FieldLayout<dim>::first_component(const Field field) const
-{
-  return field == Field::displacement ? 0 : dim - 1 + block(field);
-}
-
-template <int dim>
-unsigned int FieldLayout<dim>::block_of_component(const unsigned int component) const
-{
-  return component < dim ? 0 : component - dim + 1;
+  const auto& place = field_places[static_cast<std::size_t>(field)];
+  AssertThrow(place, dealii::ExcInternalError());
+  return *place;
 }
 
 template <int dim>
@@ -237,7 +245,8 @@ unsigned int FieldLayout<dim>::block_of_dof(dealii::types::global_dof_index dof)
 template <int dim>
 unsigned int FieldLayout<dim>::n_components() const
 {
-  return dim - 1 + present.size();
+  const FieldPlace& last = (*this)[present.back()];
+  return last.component + last.n_components;
 }
 
 template <int dim>
@@ -246,36 +255,39 @@ BlockVector FieldLayout<dim>::new_vector() const
   return BlockVector(owned_dofs, relevant_dofs, communicator());
 }
 
+/// Call @p visit(block, place in Cell::dofs) for the unknowns of @p cell, field by field.
+template <int dim>
+template <typename Visitor>
+void FieldLayout<dim>::for_each_unknown(const Cell<dim>& cell, const Visitor& visit) const
+{
+  for (const Field field : present) {
+    if (field == Field::potential && !cell.has_potential)
+      continue;
+    const FieldPlace& place = (*this)[field];
+    const unsigned int first = cell.unknown(0, field);
+    for (unsigned int c = first; c < first + place.n_components; ++c)
+      for (std::size_t i = c; i < cell.dofs.size(); i += cell.n_components)
+        visit(place.block, i);
+  }
+}
+
 template <int dim>
 void FieldLayout<dim>::gather(const Cell<dim>& cell, const BlockVector& x,
                               std::vector<double>& values) const
 {
   values.resize(cell.dofs.size());
-  const unsigned int n_c = cell.n_components;
-  for (unsigned int c = 0; c < n_c; ++c) {
-    const auto& block = x.block(block_on_cell(cell, c));
-    for (std::size_t i = c; i < values.size(); i += n_c)
-      values[i] = block.local_element(cell.local[i]);
-  }
+  for_each_unknown(cell, [&](const unsigned int block, const std::size_t i) {
+    values[i] = x.block(block).local_element(cell.local[i]);
+  });
 }
 
 template <int dim>
 void FieldLayout<dim>::scatter(const Cell<dim>& cell, const std::vector<double>& values,
                                BlockVector& x) const
 {
-  const unsigned int n_c = cell.n_components;
-  for (unsigned int c = 0; c < n_c; ++c) {
-    auto& block = x.block(block_on_cell(cell, c));
-    for (std::size_t i = c; i < values.size(); i += n_c)
-      block.local_element(cell.local[i]) += values[i];
-  }
-}
-
-template <int dim>
-unsigned int FieldLayout<dim>::block_on_cell(const Cell<dim>& cell, const unsigned int c) const
-{
-  const bool skips_potential = has(Field::potential) && !cell.has_potential;
-  return c < dim ? 0 : c - dim + 1 + (skips_potential ? 1 : 0);
+  for_each_unknown(cell, [&](const unsigned int block, const std::size_t i) {
+    x.block(block).local_element(cell.local[i]) += values[i];
+  });
 }
 
 template <int dim>

@@ -57,7 +57,7 @@ std::string describe_mode(const FieldLayout<dim>& layout, BlockVector& mode)
     layout.gather(cell, mode, values);
     amplitudes.push_back(0.);
     for (std::size_t i = 0; i < values.size(); ++i)
-      if (const unsigned int c = i % cell.n_components; c < dim) {
+      if (const unsigned int c = i % cell.n_components; cell.field_of(c) == Field::displacement) {
         amplitudes.back() += values[i] * values[i];
         own[c] += values[i] * values[i];
       }

@@ -99,9 +99,9 @@ private:
     if (scene.layout.has(Field::potential))
       for (int J = 0; J < dim; ++J)
         state.E[axis<dim>(J)] =
-            -input.solution_gradients[q][scene.layout.first_component(Field::potential)][J];
+            -input.solution_gradients[q][scene.layout[Field::potential].component][J];
     if (scene.layout.has(Field::temperature))
-      state.theta = input.solution_values[q][scene.layout.first_component(Field::temperature)];
+      state.theta = input.solution_values[q][scene.layout[Field::temperature].component];
     return state;
   }
 

@@ -23,7 +23,7 @@ class Ledger final : public Observable<dim>
 public:
   void setup(const Scene<dim>& scene) override
   {
-    if (scene.layout.has(Field::temperature) && !scene.layout.is_transient())
+    if (scene.layout.has(Field::temperature) && !scene.layout.has_transient_temperature())
       throw InputError(
           "section Output, entry 'Observables': the ledger has no end where heat flows "
           "for ever; leave it out, or set Temperature/Model = uniform or transient");
@@ -53,15 +53,15 @@ public:
     if (!begun || (scene.layout.is_transient() && !scene.state.rates)) { // time has not begun
       begun = true;
       sums = {now.numbers, now.numbers, 0., 0., 0., 0., 0., 0.};
-      electrodes = now.electrodes;
     } else
       add_work(scene, now);
-    if (scene.state.rates)
+    if (scene.state.rates && scene.layout.has(Field::temperature))
       add_heat(now.numbers);
     else
       add_heat_of_bath(now.numbers);
     sums.past = now.numbers;
     electrodes = now.electrodes;
+    loads = now.loads;
     before = scene.state.x;
     return values(now.numbers.stored);
   }
@@ -71,6 +71,9 @@ public:
     std::vector<double> numbers(sizeof(Sums) / sizeof(double));
     std::memcpy(numbers.data(), &sums, sizeof(Sums));
     numbers.push_back(begun);
+    numbers.push_back(loads.levels.size());
+    for (const std::vector<double>* of_loads : {&loads.levels, &loads.work})
+      numbers.insert(numbers.end(), of_loads->begin(), of_loads->end());
     for (const auto& [voltage, charge] : electrodes)
       numbers.insert(numbers.end(), {voltage, charge});
     return numbers;
@@ -82,6 +85,11 @@ public:
     std::memcpy(static_cast<void*>(&sums), numbers.data(), sizeof(Sums));
     std::size_t k = sizeof(Sums) / sizeof(double);
     begun = numbers[k++] != 0.;
+    const std::size_t n_loads = numbers[k++];
+    for (std::vector<double>* of_loads : {&loads.levels, &loads.work}) {
+      of_loads->assign(numbers.begin() + k, numbers.begin() + k + n_loads);
+      k += n_loads;
+    }
     for (electrodes.clear(); k < numbers.size(); k += 2)
       electrodes.emplace_back(numbers[k], numbers[k + 1]);
     before.reset();
@@ -92,16 +100,20 @@ private:
     Energies stored, walls; ///< of the body, of the nodes of its walls
     HeatInflow inflow;
     double time, theta, production; ///< s, K, mW/K
-    double dead_load, pressure;     ///< levels
-    double motion, support_force;   ///< level, N times mm
   };
 
   /// Potential in kV and charge in uC of every electrode.
   using Electrodes = std::vector<std::pair<double, double>>;
 
+  /// Of every load: its level, and its work per level in mJ, if it prescribes values.
+  struct Levels {
+    std::vector<double> levels, work;
+  };
+
   struct Stock {
     Numbers numbers;
     Electrodes electrodes;
+    Levels loads;
   };
 
   /// What has come together since the start.
@@ -127,47 +139,42 @@ private:
   {
     Energies own = scene.system.energies(), walls;
     if (scene.layout.has(Field::temperature)) {
-      own.add(1., scene.heat.stored(scene.state, theta_0));
-      walls = scene.heat.stored_in_walls(scene.state, theta_0);
+      own.add(1., scene.storage.stored(scene.state, theta_0));
+      walls = scene.storage.stored_in_walls(scene.state, theta_0);
     }
     const BlockVector& reactions = scene.system.reactions();
-    const auto owned = scene.layout.dof_handler().locally_owned_dofs();
-    double support_force = 0.;
-    for (const auto& [unknown, way] : scene.conditions.moved())
-      if (owned.is_element(unknown))
-        support_force += way * reactions(unknown);
-    std::vector<double> parts{own.elastic,   own.electric,  own.thermal,       own.entropy,
-                              walls.thermal, walls.entropy, production(scene), support_force};
+    std::vector<double> parts{own.elastic,   own.electric,  own.thermal,      own.entropy,
+                              walls.thermal, walls.entropy, production(scene)};
     for (const Electrode& electrode : scene.conditions.electrodes())
       parts.push_back(-electrode.own_sum(reactions));
+    for (std::size_t i = 0; i < scene.loads.size(); ++i)
+      parts.push_back(scene.loads[i].work_per_level(reactions));
     std::vector<double> total(parts.size());
     dealii::Utilities::MPI::sum(parts, scene.layout.communicator(), total);
-    const auto* pressure = scene.system.acting_pressure();
     Stock now{{{total[0], total[1], total[2], total[3]},
                {0., 0., total[4], total[5]},
                scene.state.inflow,
                scene.state.time,
                scene.state.theta,
-               total[6],
-               scene.system.dead_load_level(),
-               pressure ? pressure->level() : 0.,
-               scene.conditions.motion(),
-               total[7]},
-              {}};
-    std::size_t k = 8;
+               total[6]},
+              {},
+              {scene.loads.levels(), {}}};
+    std::size_t k = 7;
     for (const Electrode& electrode : scene.conditions.electrodes())
       now.electrodes.emplace_back(potential(electrode, scene.layout, scene.state.x), total[k++]);
+    now.loads.work.assign(total.begin() + k, total.end());
     return now;
   }
 
   /// By the trapezoidal rule, as all that follows.
   void add_work(const Scene<dim>& scene, const Stock& now)
   {
-    const Numbers &past = sums.past, &next = now.numbers;
     for (std::size_t e = 0; e < electrodes.size(); ++e)
       sums.electric += 0.5 * (electrodes[e].first + now.electrodes[e].first) *
                        (now.electrodes[e].second - electrodes[e].second);
-    sums.supports += 0.5 * (past.support_force + next.support_force) * (next.motion - past.motion);
+    for (std::size_t i = 0; i < loads.levels.size(); ++i)
+      sums.supports +=
+          0.5 * (loads.work[i] + now.loads.work[i]) * (now.loads.levels[i] - loads.levels[i]);
     const auto& path = scene.state.path();
     if (!before && path.size() > 1) // the last row before a checkpoint
       before = path[path.size() - 2].x;
@@ -176,19 +183,14 @@ private:
     BlockVector way = scene.state.x;
     way.zero_out_ghost_values();
     way -= *before;
-    sums.loads += 0.5 * (past.dead_load + next.dead_load) * (scene.system.dead_loads() * way) +
-                  0.5 * (past.pressure * (pressure_forces(scene, *before) * way) +
-                         next.pressure * (pressure_forces(scene, scene.state.x) * way));
-  }
-
-  /// At level 1.
-  static BlockVector pressure_forces(const Scene<dim>& scene, const BlockVector& x)
-  {
     BlockVector forces = scene.layout.new_vector();
-    if (scene.system.acting_pressure())
-      scene.system.acting_pressure()->add_full_forces(1., x, forces);
+    for (std::size_t i = 0; i < scene.loads.size(); ++i)
+      if (scene.loads[i].is_present() && scene.loads[i].acts_on() == Field::displacement) {
+        scene.loads[i].add_forces(0.5, loads.levels[i], scene.state, *before, forces);
+        scene.loads[i].add_forces(0.5, now.loads.levels[i], scene.state, scene.state.x, forces);
+      }
     forces.compress(dealii::VectorOperation::add);
-    return forces;
+    sums.loads += forces * way;
   }
 
   void add_heat(const Numbers& now)
@@ -234,6 +236,7 @@ private:
   bool begun = false;
   Sums sums{};
   Electrodes electrodes;             ///< at the last row
+  Levels loads;                      ///< there
   std::optional<BlockVector> before; ///< nodal values there; not known after a checkpoint
 };
 

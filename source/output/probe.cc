@@ -24,7 +24,7 @@ public:
       if (scene.layout.has(field)) {
         dofs.push_back(dofs_on(scene.mesh, scene.layout, group,
                                "section Observables/probe, entry 'At'",
-                               scene.layout.first_component(field)));
+                               scene.layout[field].component));
         names.push_back(field == Field::potential ? "probe_phi_kV" : "probe_theta_K");
       }
   }

@@ -1,7 +1,7 @@
 // Where time steps must not step over an amplitude.
 
-#include <thelma/assembly/amplitude.h>
 #include <thelma/base/error.h>
+#include <thelma/loads/amplitude.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Reading parameter files: units, misspellings, all problems at once, and damaged files.
 
-#include <thelma/application/simulation.h>
+#include <thelma/application/run_scene.h>
 #include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
 #include <thelma/base/quantity.h>

@@ -135,7 +135,7 @@ public:
         if (scene.layout.dof_handler().locally_owned_dofs().is_element(line.index))
           scene.state.x(line.index) = wanted(line.index);
       scene.state.x.update_ghost_values();
-      scene.system.set_loads(loads(t));
+      scene.system.hold_with(loads(t));
       const NewtonReport report = newton.solve(scene.system);
       ASSERT_TRUE(report.converged) << report.reason;
       scene.state.accept(t);
@@ -223,7 +223,7 @@ private:
         rate(unknown) = c == 4 ? exact.rate(4, X, t) : 0.;
       });
       rate.zero_out_ghost_values();
-      rate.scale(scene.heat.capacity());
+      rate.scale(scene.storage.capacity());
       forces += rate;
     }
     return forces;

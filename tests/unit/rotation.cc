@@ -3,8 +3,8 @@
 
 #include "scene.h"
 
-#include <thelma/assembly/predictor.h>
 #include <thelma/base/rotation.h>
+#include <thelma/strategies/predictor.h>
 
 #include <deal.II/fe/mapping_q1.h>
 

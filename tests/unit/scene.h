@@ -16,20 +16,26 @@ template <int dim>
 struct TestScene {
   explicit TestScene(const std::string& text, const double theta = 293.)
       : file(ParameterFile::from_text(text)), materials(file), mesh(MPI_COMM_WORLD),
-        system(layout, conditions, heat, state, timings)
+        system(layout, conditions, loads, storage, state, timings)
   {
     dealii::ParameterHandler prm;
     materials.declare(prm);
     mesh.declare(prm);
     layout.declare(prm);
     conditions.declare(prm);
-    heat.declare(prm);
+    loads.declare(prm);
     system.declare(prm);
     file.read(prm);
     mesh.read(THELMA_SOURCE_DIR);
     layout.setup(mesh, materials);
     conditions.setup(mesh, layout);
-    heat.setup(mesh, layout, conditions);
+    loads.setup({mesh, layout, &conditions, nullptr, 0., theta});
+    storage.setup(layout, conditions);
+    std::vector<double> levels = loads.levels();
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      if (loads[i].acts_on() == Field::temperature)
+        levels[i] = 1.;
+    loads.set_levels(levels);
     state.theta = theta;
     state.x = layout.new_vector();
     if (layout.has(Field::temperature))
@@ -44,7 +50,8 @@ struct TestScene {
   Mesh<dim> mesh;
   FieldLayout<dim> layout;
   BoundaryConditions<dim> conditions;
-  NodalHeat<dim> heat;
+  Loads<dim> loads;
+  HeatStorage<dim> storage;
   State state;
   Timings timings;
   System<dim> system;

@@ -2,15 +2,15 @@
 
 #include <thelma/assembly/corner_grids.h>
 #include <thelma/assembly/floating_electrodes.h>
-#include <thelma/assembly/follower_pressure.h>
-#include <thelma/assembly/nodal_heat.h>
+#include <thelma/assembly/heat_storage.h>
 #include <thelma/assembly/pressure_blocks.h>
+#include <thelma/assembly/tangent_matrix.h>
 #include <thelma/base/timings.h>
 #include <thelma/elements/formulation.h>
 #include <thelma/fields/state.h>
+#include <thelma/loads/loads.h>
 #include <thelma/solvers/continuation.h>
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -25,7 +25,7 @@ class System : public LoadedSystem
 {
 public:
   System(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
-         const NodalHeat<dim>& heat, State& state, Timings& timings);
+         const Loads<dim>& loads, const HeatStorage<dim>& storage, State& state, Timings& timings);
 
   void declare(dealii::ParameterHandler& prm);
 
@@ -36,9 +36,8 @@ public:
   /// Build the matrix for what has been chosen; the constraints must stand.
   void setup();
 
-  /// The same for other fields than those of @p other, and under its pressures.
+  /// The same for other fields than those of @p other.
   void choose(Solved fields, const System& other);
-  void setup(const System& other);
 
   /// Set the internal unknowns to those of the stress-free body at the uniform temperature.
   void start_internal();
@@ -50,8 +49,9 @@ public:
   void move_to(double step) override;
   double rounding() override;
 
-  /// From now on @p prescribe writes what belongs to a load factor into the State.
-  void load_by(std::function<void(double)> prescribe) { prescription = std::move(prescribe); }
+  /// From now on the load factor leads along this path, which must live as long as it does.
+  void load_along(LoadPath* loads_of_path) { path = loads_of_path; }
+  LoadPath* load_path() const { return path; }
   double load() const override { return load_factor; }
   void set_load(double load) override;
   LinearReport solve_load() override;
@@ -74,29 +74,9 @@ public:
   const BlockVector& reactions() const { return raw_residual; }
   BlockVector free_residual() const;
 
-  /// Hold the body with these nodal forces, charges and heat flows (N, minus uC, mW).
-  void set_loads(const BlockVector& forces) { set_loads(1., forces); }
-  void set_loads(const double level, const BlockVector& forces)
-  {
-    loads = forces;
-    load_level = level;
-  }
-
-  void set_loads(const System& other) { set_loads(other.load_level, other.loads); }
-
-  /// From now on these pressures act, as they are applied.
-  void set_pressure(const FollowerPressure<dim>& acting) { pressure = &acting; }
-
-  /// What acts at the nodal values @p x: forces in N, minus charges in uC, heat flows in mW.
-  BlockVector loads_at(const BlockVector& x) const;
-
-  /// The part of them that is there however the body deforms, at full size, and how much of it
-  /// acts.
-  const BlockVector& dead_loads() const { return loads; }
-  double dead_load_level() const { return load_level; }
-
-  /// The pressures, if there are any.
-  const FollowerPressure<dim>* acting_pressure() const { return pressure; }
+  /// Hold the body with these nodal forces, charges and heat flows (N, minus uC, mW), beside its
+  /// loads.
+  void hold_with(const BlockVector& forces) { holding = forces; }
 
   /// What enters through the walls, all of them, at the newest residual.
   HeatInflow heat_inflow() const;
@@ -113,6 +93,13 @@ public:
 
   /// What the own cells store in mJ, in plane strain per mm.
   Energies energies() const;
+
+  /// Whether @p field is among what it solves for.
+  bool solves(const Field field) const
+  {
+    return solved == Solved::all ||
+           (field == Field::temperature) == (solved == Solved::temperature);
+  }
 
   bool is_symmetric() const { return !layout.has(Field::temperature) || solved != Solved::all; }
 
@@ -184,7 +171,8 @@ private:
 
   const FieldLayout<dim>& layout;
   const BoundaryConditions<dim>& conditions;
-  const NodalHeat<dim>& heat;
+  const Loads<dim>& loads;
+  const HeatStorage<dim>& storage;
   State& state;
   Timings& timings;
   Solved solved = Solved::all;
@@ -205,17 +193,15 @@ private:
   double volume = 0.;                   ///< mm^dim
   double tangent_cost = 1.;             ///< of the last one, LinearReport::cost
   int unstable_inside = 0;              ///< directions in all cells, at the last tangent
-  const FollowerPressure<dim>* pressure = nullptr;
-  BlockVector raw_residual, loads, base, nodal_correction, nodal_response;
+  BlockVector raw_residual, holding, base, nodal_correction, nodal_response;
   std::vector<double> internal_base, internal_correction, internal_response;
   std::vector<double> internal_residual; ///< of all own cells
   std::vector<double> stabilisations;    ///< of all own cells, MPa
   std::vector<double> lacking;           ///< of them, when they last followed the state
   double relaxation = 1.;                ///< part of it that was added
   std::vector<double> eliminations;      ///< of all own cells, of the tangent last assembled
-  std::function<void(double)> prescription;
+  LoadPath* path = nullptr;
   double load_factor = 0.;
-  double load_level = 0.; ///< of the loads
 };
 
 template <int dim>

@@ -2,7 +2,7 @@
 
 #include <thelma/assembly/cell_places.h>
 #include <thelma/fields/boundary_conditions.h>
-#include <thelma/fields/layout.h>
+#include <thelma/loads/load.h>
 
 #include <deal.II/lac/trilinos_block_sparse_matrix.h>
 
@@ -17,7 +17,7 @@ namespace thelma
 /// Prescribed unknowns keep a row with 1 on the diagonal. Rows of other ranks (few, along the
 /// partition's border) go the ordinary way through Trilinos.
 template <int dim>
-class TangentMatrix
+class TangentMatrix final : public TangentEntries<dim>
 {
 public:
   /// Which pairs of a cell's components have entries; a component without any keeps 1 on the
@@ -31,11 +31,8 @@ public:
   /// Begin a new assembly.
   void clear();
 
-  /// Add the tangent of the own cell @p index, row by row in the order of Cell::dofs.
-  void add(std::size_t index, const Cell<dim>& cell, const std::vector<double>& entries);
-
-  /// Add @p value to the diagonal of an own unknown; nothing where it has no equation.
-  void add_diagonal(dealii::types::global_dof_index unknown, double value);
+  void add(std::size_t index, const Cell<dim>& cell, const std::vector<double>& entries) override;
+  void add_diagonal(dealii::types::global_dof_index unknown, double value) override;
 
   /// End the assembly: exchange the rows of other ranks.
   void finish();

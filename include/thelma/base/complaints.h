@@ -30,6 +30,10 @@ public:
   /// Says nothing twice.
   void add(const std::string& sentence);
 
+  /// Add those of @p found that nothing said so far explains: what seems to be missing may only be
+  /// misspelt, and what an entry means may hang on a choice beside it.
+  void add_unexplained(const Complaints& found);
+
   const std::vector<std::string>& sentences() const { return list; }
 
   /// Throws InputError if there is any.

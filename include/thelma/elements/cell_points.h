@@ -17,16 +17,17 @@ PointInput<double> point_input(const CellView<dim>& view, const NodalValues<dim>
   PointInput<double> input;
   for (unsigned int i = 0; i < 3; ++i)
     input.state.F[i][i] = 1.;
-  const unsigned int last = x.n_components - 1;
-  input.state.theta = view.has_temperature ? x.value(gradients)[last] : view.theta;
+  const unsigned int phi = view.cell.component(Field::potential),
+                     theta = view.cell.component(Field::temperature);
+  input.state.theta = view.has_temperature ? x.value(gradients)[theta] : view.theta;
   const auto gradient = x.gradient(gradients);
   for (int J = 0; J < dim; ++J) {
     for (int i = 0; i < dim; ++i)
       input.state.F[axis<dim>(i)][axis<dim>(J)] += gradient[J][i];
     if (view.cell.has_potential)
-      input.state.E[axis<dim>(J)] = -gradient[J][dim];
+      input.state.E[axis<dim>(J)] = -gradient[J][phi];
     if (view.has_temperature)
-      input.grad_theta[axis<dim>(J)] = gradient[J][last];
+      input.grad_theta[axis<dim>(J)] = gradient[J][theta];
   }
   return input;
 }

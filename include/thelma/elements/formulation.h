@@ -5,6 +5,7 @@
 #include <thelma/fields/rates.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -68,11 +69,19 @@ struct CellResult {
 /// The internal unknowns of one cell in a linear system whose tangent may be an older one.
 template <int dim>
 struct Elimination {
-  std::size_t index; ///< position among the rank's own cells
-  unsigned int n_components;
-  const double* kept;     ///< CellResult::elimination of the tangent
-  const double* residual; ///< CellResult::internal at the iterate
+  std::size_t index;               ///< position among the rank's own cells
+  unsigned int n_components, heat; ///< of the cell; its component of the temperature, if it has one
+  const double* kept;              ///< CellResult::elimination of the tangent
+  const double* residual;          ///< CellResult::internal at the iterate
 };
+
+/// What the residuals of the fields are measured by: a stress mu in MPa, an electric displacement
+/// sqrt(eps mu), a heat flux k * 1 K/mm (theory.md, eq. 20).
+inline std::array<double, n_field_kinds> flux_units(const Material& material, const double theta)
+{
+  const double mu = material.shear_modulus(theta);
+  return {mu, std::sqrt(mu * material.permittivity(theta)), material.thermal.k};
+}
 
 /// Values of one cell's pressure or dilatation modes; unused ones stay zero.
 using Modes = std::array<double, 8>;

@@ -40,7 +40,8 @@ void integrate_fields(const CellPoints<Fields::dim>& points, const CellView<Fiel
     }
   }
   const unsigned int n_c = view.cell.n_components;
-  const CellComponents components{Fields::has_deformation ? 0 : n_c - 1, n_c};
+  const CellComponents components{
+      Fields::has_deformation ? 0 : view.cell.component(Field::temperature), n_c};
   if (with_tangent)
     add_tangent(points.gradients.data(), systems.data(), points.n_points, components,
                 result.blocks);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 /// Heat that deformation and field make: theta h N_a in the heat balance, with the rate of entropy
-/// h of theory.md, eqs. 31 and 34. The capacity is elsewhere (NodalHeat).
+/// h of theory.md, eqs. 31 and 34. The capacity is elsewhere (HeatStorage).
 namespace thelma
 {
 
@@ -49,7 +49,7 @@ void add_structural_heat(const CellPoints<dim>& points, const CellView<dim>& vie
   constexpr unsigned int length = Gradients<dim>::length;
   const Rates& rates = view.history->rates;
   const unsigned int n_nodes = points.gradients[0].n_nodes, stride = points.gradients[0].stride;
-  const int n_c = view.cell.n_components, heat = n_c - 1;
+  const int n_c = view.cell.n_components, heat = view.cell.component(Field::temperature);
   std::array<NodalValues<dim>, 2> past{
       {{view.history->x[0], n_nodes, view.cell.n_components},
        {view.history->x[rates.n_past - 1], n_nodes, view.cell.n_components}}};

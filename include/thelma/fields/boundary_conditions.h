@@ -27,12 +27,8 @@ public:
   /// Zero corrections at every prescribed degree of freedom.
   const dealii::AffineConstraints<double>& constraints() const { return homogeneous; }
 
-  /// Write the prescribed values into the owned entries of @p x: electrodes at @p voltage (kV),
-  /// temperatures at the fraction @p heating of their way from @p theta_start (K).
-  void apply(double voltage, double theta_start, double heating, BlockVector& x) const;
-
-  /// From now on the moved supports are at the fraction @p part of their way.
-  void set_motion(const double part) { way_part = part; }
+  /// Write the values at supports that do not move into the owned entries of @p x.
+  void hold_supports(BlockVector& x) const;
 
   const std::vector<Electrode>& electrodes() const { return plates.all(); }
   std::vector<const Electrode*> live_electrodes() const { return plates.live(); }
@@ -45,14 +41,14 @@ public:
   void disconnect(const std::string& name, double charge);
   void connect(const std::string& name);
 
-  bool move() const { return !moved_supports.empty(); }
-  double motion() const { return way_part; }
-
   /// Displacement unknowns that move, with their way in mm.
   const std::map<dealii::types::global_dof_index, double>& moved() const { return moved_dofs; }
 
   /// Names of supports, at rest or moved, that hold @p component (from 0).
   std::vector<std::string> holding(unsigned int component) const;
+
+  /// Potential unknowns of driven electrodes, with their multiple of the voltage.
+  const std::map<dealii::types::global_dof_index, double>& driven() const { return driven_dofs; }
 
   /// Temperature unknowns of the walls with their value in K.
   const std::map<dealii::types::global_dof_index, double>& heated() const { return heated_dofs; }
@@ -75,7 +71,6 @@ private:
   std::map<std::string, std::string> moved_supports;
   std::map<std::string, double> temperatures;
   Electrodes<dim> plates;
-  double way_part = 0.;
 
   dealii::IndexSet owned;
   Values fixed_dofs;  ///< value in mm

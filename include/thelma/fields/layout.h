@@ -6,11 +6,14 @@
 #include <deal.II/base/index_set.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values_extractors.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/hp/fe_collection.h>
 #include <deal.II/lac/la_parallel_block_vector.h>
 
+#include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +23,10 @@ namespace thelma
 
 using BlockVector = dealii::LinearAlgebra::distributed::BlockVector<double>;
 
+/// In the order of their blocks and components. A new scalar field is a line here and one in
+/// field_name().
 enum class Field { displacement, potential, temperature };
+constexpr std::size_t n_field_kinds = 3;
 
 /// Which of them a system solves for; the others are given. Displacement and potential together are
 /// the deformation.
@@ -37,8 +43,43 @@ struct Cell {
   const Material* material;
   unsigned int n_components; ///< fields on this cell, counted by components
   bool has_potential;
+  std::array<unsigned int, n_field_kinds> components; ///< first one of each field that is here
   std::vector<dealii::types::global_dof_index> dofs;
   std::vector<unsigned int> local; ///< the same within this rank's part of their block
+
+  /// The (first) component of @p field, which is here.
+  unsigned int component(const Field field) const
+  {
+    return components[static_cast<std::size_t>(field)];
+  }
+
+  /// Where that stands in `dofs` at the node @p a.
+  std::size_t unknown(const unsigned int a, const Field field) const
+  {
+    return std::size_t(a) * n_components + component(field);
+  }
+
+  Field field_of(const unsigned int c) const
+  {
+    return c < dim                                             ? Field::displacement
+           : has_potential && c == component(Field::potential) ? Field::potential
+                                                               : Field::temperature;
+  }
+};
+
+/// Where a field stands among the components and blocks of all fields.
+struct FieldPlace {
+  unsigned int block, component; ///< the first of a vector
+  unsigned int n_components;
+
+  dealii::FEValuesExtractors::Scalar scalar() const
+  {
+    return dealii::FEValuesExtractors::Scalar(component);
+  }
+  dealii::FEValuesExtractors::Vector vector() const
+  {
+    return dealii::FEValuesExtractors::Vector(component);
+  }
 };
 
 /// Which field lives where, and the numbering: displacement everywhere, potential only in regions
@@ -54,14 +95,22 @@ public:
 
   bool has(Field field) const;
 
-  /// Whether the temperature field changes in time.
-  bool is_transient() const { return temperature_model == TemperatureModel::transient; }
+  /// Whether the scene evolves in time, and whether its temperature does so as a field.
+  bool is_transient() const
+  {
+    return analysis == Analysis::transient || has_transient_temperature();
+  }
+  bool has_transient_temperature() const
+  {
+    return temperature_model == TemperatureModel::transient;
+  }
 
   /// Fields in the order of their blocks and components.
   const std::vector<Field>& fields() const { return present; }
-  unsigned int block(Field field) const;
-  unsigned int first_component(Field field) const;
-  unsigned int block_of_component(unsigned int component) const;
+
+  /// Of a field that is there.
+  const FieldPlace& operator[](Field field) const;
+  unsigned int block(const Field field) const { return (*this)[field].block; }
   unsigned int n_components() const;
   unsigned int block_of_dof(dealii::types::global_dof_index dof) const;
 
@@ -120,17 +169,22 @@ public:
 
 private:
   enum class TemperatureModel { uniform, steady, transient };
+  enum class Analysis { automatic, transient };
 
   void build_elements();
   void number_blockwise();
-  unsigned int block_on_cell(const Cell<dim>& cell, unsigned int c) const;
+  void place_fields();
+  template <typename Visitor>
+  void for_each_unknown(const Cell<dim>& cell, const Visitor& visit) const;
   void collect_cells(const Mesh<dim>& mesh, const MaterialLibrary& materials);
 
   unsigned int polynomial_degree = 1;
   std::vector<std::string> passive_regions;
   TemperatureModel temperature_model = TemperatureModel::uniform;
+  Analysis analysis = Analysis::automatic;
 
   std::vector<Field> present;
+  std::array<std::optional<FieldPlace>, n_field_kinds> field_places;
   std::unique_ptr<dealii::FE_Q<dim>> scalar;
   std::unique_ptr<dealii::MappingQ<dim>> cell_mapping;
   dealii::hp::FECollection<dim> elements; ///< 0: every field; 1: no potential

@@ -72,7 +72,7 @@ public:
   void serialize(Archive& archive, unsigned int)
   {
     bool has_rates = rates.has_value();
-    archive& voltage& charge& theta& time& inflow& has_rates;
+    archive& voltage& charge& theta& theta_start& time& inflow& unstable_directions& has_rates;
     if (!has_rates)
       rates.reset();
     else if (!rates)
@@ -86,8 +86,12 @@ public:
   double voltage = 0.;          ///< kV
   double charge = 0.;           ///< applied to floating electrodes, uC
   double theta = 0.;            ///< uniform temperature in K
+  double theta_start = 0.;      ///< from which walls and surroundings start, K
   double time = 0.;             ///< s; in transient scenes also the load
   HeatInflow inflow;            ///< into the accepted state
+
+  /// Of the newest recorded state.
+  long long unstable_directions = 0;
 
   /// How rates follow from the iterate and the accepted states; none in a steady state.
   std::optional<Rates> rates;
@@ -104,7 +108,8 @@ double cell_temperature(const FieldLayout<dim>& layout, const State& state, cons
   if (!layout.has(Field::temperature))
     return state.theta;
   return state.x.block(layout.block(Field::temperature))
-      .local_element(cell.local[cell.n_components - 1]);
+      .local_element(
+          cell.local[cell.unknown(cell.local.size() / cell.n_components - 1, Field::temperature)]);
 }
 
 } // namespace thelma

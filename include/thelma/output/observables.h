@@ -1,6 +1,5 @@
 #pragma once
 
-#include <thelma/assembly/loading.h>
 #include <thelma/assembly/system.h>
 #include <thelma/base/named_list.h>
 
@@ -18,7 +17,8 @@ struct Scene {
   const Mesh<dim>& mesh;
   const FieldLayout<dim>& layout;
   const BoundaryConditions<dim>& conditions;
-  const NodalHeat<dim>& heat;
+  const Loads<dim>& loads;
+  const HeatStorage<dim>& storage;
   const System<dim>& system;
   const State& state;
 };

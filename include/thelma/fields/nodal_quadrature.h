@@ -1,0 +1,48 @@
+#pragma once
+
+#include <thelma/base/error.h>
+#include <thelma/fields/outer_faces.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+namespace thelma
+{
+
+/// Add to the entries of @p field in @p nodal the integrals of @p density(cell) times their shape
+/// functions, by the quadrature whose points are the nodes (theory.md, eq. 33); compress(add) comes
+/// later.
+template <int dim>
+void add_nodal_integrals(const FieldLayout<dim>& layout, Field field,
+                         const std::function<double(const Cell<dim>&)>& density,
+                         BlockVector& nodal);
+
+/// Call @p visit(unknown of @p field, area in mm^2, in plane strain mm) for the nodes of each outer
+/// face of the surface @p name, by the same quadrature. Throws InputError, with @p place in the
+/// sentence, for an unknown name and for a surface inside of the body, for which @p only tells what
+/// is allowed outside alone.
+template <int dim, typename Visitor>
+void for_each_nodal_area(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
+                         const std::string& name, const std::string& place, const Field field,
+                         const std::string& only, const Visitor& visit)
+{
+  const unsigned int component = layout[field].component;
+  const bool outer = for_each_outer_face(
+      mesh, layout, name, place, dealii::QGaussLobatto<dim - 1>(layout.degree() + 1),
+      [&](const OuterFace<dim>& face) {
+        for (unsigned int a = 0; a < face.values.dofs_per_cell; ++a) {
+          double area = 0.;
+          for (unsigned int q = 0; q < face.values.n_quadrature_points; ++q)
+            area += face.values.JxW(q) * face.values.shape_value(a, q);
+          if (std::abs(area) > 0.)
+            visit(face.unknown(a, component), area);
+        }
+      });
+  if (!outer)
+    throw InputError(place + ": '" + name + "' is no outer surface of the body; " + only);
+}
+
+} // namespace thelma

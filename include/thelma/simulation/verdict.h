@@ -1,0 +1,47 @@
+#pragma once
+
+#include <thelma/output/results.h>
+#include <thelma/simulation/strategies.h>
+
+#include <string>
+
+namespace thelma
+{
+
+/// Says why a phase of a run has ended before its aim, in the outcome and at the newest row of the
+/// curve.
+template <int dim>
+class Verdict
+{
+public:
+  Verdict(Model<dim>& model, Strategies<dim>& strategies, Results<dim>& results, Outcome& outcome,
+          const Scene<dim>& scene)
+      : model(model), strategies(strategies), results(results), outcome(outcome), scene(scene)
+  {
+  }
+
+  /// No stable state while the body was heated.
+  void on_heating();
+
+  /// The load steps of the load @p index in the list found none beyond a load.
+  void on_load_steps(std::size_t index);
+
+  /// A path that was followed came to this @p end.
+  void on_path(StepsEnd end);
+
+  void on_time();
+
+private:
+  void end_here(EndReason why, const std::string& details);
+  void on_limit(std::size_t index, double limit, const std::string& between);
+  void on_bifurcation(const std::string& between, BlockVector& mode);
+  std::string far_gone() const;
+
+  Model<dim>& model;
+  Strategies<dim>& strategies;
+  Results<dim>& results;
+  Outcome& outcome;
+  const Scene<dim>& scene;
+};
+
+} // namespace thelma

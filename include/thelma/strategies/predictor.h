@@ -1,0 +1,109 @@
+#pragma once
+
+#include <thelma/elements/formulation.h>
+#include <thelma/fields/boundary_conditions.h>
+#include <thelma/fields/state.h>
+#include <thelma/solvers/continuation.h>
+#include <thelma/solvers/laplacian.h>
+#include <thelma/strategies/interpolation.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace thelma
+{
+
+/// What reversing the load factor does to the solution: nothing is known of it, or it is the same
+/// but for the sign of the potential.
+enum class LoadSymmetry { none, voltage };
+
+/// Guesses the state at a new load from the accepted ones (theory.md, "Prediction").
+///
+/// Polynomials do not follow a body that rolls up: its points move along circles. So not the
+/// displacement is extrapolated but the deformation gradient, F = R U, the rotation by its vector
+/// and the stretch by its components; the displacement is the one whose gradient comes nearest.
+/// Where a path bends sharply, as at a bifurcation, high orders mislead: the order is the highest
+/// that has lately served and does not point back.
+template <int dim>
+class Predictor
+{
+public:
+  Predictor(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions, State& state)
+      : layout(layout), conditions(conditions), state(state)
+  {
+  }
+
+  /// The fields and constraints must stand; @p formulation must live as long as this. A body whose
+  /// tangents are too large to be factorised @p is_large.
+  void setup(const Formulation<dim>& formulation, bool is_large);
+
+  /// Write the guess at @p load into the State's iterate.
+  void predict(double load, LoadSymmetry symmetry);
+
+  /// The same at @p place of a path on which the accepted states stand at @p places by this
+  /// @p metric, also between the last two; returns the load there.
+  double predict_along(const std::vector<double>& places, double place, const PathMetric& metric);
+
+  /// Write the @p part of the way from the last accepted state to @p found into the State's
+  /// iterate.
+  void between(const State::Accepted& found, double part);
+
+  /// Write a better guess of the deformation once the temperature of the iterate is known: by the
+  /// weights with which the accepted states make this temperature best.
+  void follow_temperature();
+
+  /// How far the iterate, now converged, lies from the guess, as a part of its distance from the
+  /// last accepted state. Above 1 it is probably on another branch.
+  double surprise() const;
+
+  /// Choose the next order by the surprise of the accepted state, or after a failure.
+  void adapt(double surprise);
+
+  /// What it has learnt on the way.
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& order;
+  }
+
+private:
+  using Displacement = PathMetric::Displacement;
+
+  /// The accepted states by which a guess is made and where they stand, the newest last.
+  struct Supports {
+    std::vector<double> places;
+    std::vector<State::Accepted> states;
+  };
+
+  /// As many of the newest states at @p places as serve a guess at @p place.
+  Supports supports(const std::vector<double>& places, double place) const;
+  bool goes_on(const Supports& path, double load, const PathMetric* metric) const;
+  bool deforms_on(const Supports& path, double place) const;
+  double extrapolate(Supports path, double place, Parity parity, const PathMetric* metric);
+  std::vector<State::Accepted> recent() const;
+  std::vector<double> temperature_weights(const std::vector<State::Accepted>& path) const;
+
+  /// Write the sum of the states of the @p path: @p even weighs them for all fields that reversing
+  /// the load does not reverse, @p odd for the others.
+  void combine(const std::vector<State::Accepted>& path, const std::vector<double>& even,
+               const std::vector<double>& odd);
+  void make_laplacian();
+  void follow_rotation(const std::vector<State::Accepted>& path,
+                       const std::vector<double>& weights);
+  void follow_cells(const std::vector<State::Accepted>& path, const std::vector<double>& weights);
+
+  static constexpr unsigned int highest_order = 3;
+
+  const FieldLayout<dim>& layout;
+  const BoundaryConditions<dim>& conditions;
+  State& state;
+  const Formulation<dim>* formulation = nullptr;
+  std::optional<Integration<dim>> full, reduced;
+  bool is_large = false;
+  std::unique_ptr<Laplacian> laplacian; ///< of each displacement component; null until needed
+  BlockVector moments, guess;
+  unsigned int order = highest_order;
+};
+
+} // namespace thelma

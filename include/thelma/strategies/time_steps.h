@@ -1,0 +1,107 @@
+#pragma once
+
+#include <thelma/strategies/equilibrium.h>
+#include <thelma/strategies/predictor.h>
+#include <thelma/strategies/strategy.h>
+#include <thelma/strategies/time_stepper.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace thelma
+{
+
+/// States in time, under loads that follow their amplitudes: the temperature, if it is a field that
+/// changes in time, with the deformation or before it (theory.md, "Time").
+template <int dim>
+class TimeSteps final : public Strategy
+{
+public:
+  TimeSteps(System<dim>& deformation, System<dim>& heated, const FieldLayout<dim>& layout,
+            const BoundaryConditions<dim>& conditions, Loads<dim>& loads, State& state,
+            Predictor<dim>& predictor, const Equilibrium& equilibrium)
+      : deformation(deformation), heated(heated), layout(layout), conditions(conditions),
+        loads(loads), state(state), predictor(predictor), equilibrium(equilibrium)
+  {
+  }
+
+  void declare(dealii::ParameterHandler& prm);
+
+  /// Throws InputError for settings of time in a scene that has none.
+  void check() const;
+
+  /// Choose the solver of the temperature, or of everything, as for the deformation, which counts
+  /// unstable directions.
+  void choose();
+
+  /// Begin at time 0 with the iterate.
+  void start();
+
+  StepReport advance() override;
+  void accept(const StepReport& step, Recorder& recorder) override;
+  void cut_back(const StepReport& step) override;
+  StepsEnd end() const override;
+
+  /// No checkpoint holds what the search for the first step has found so far.
+  bool can_pause() const override { return state.path().size() > 1; }
+
+  /// Why no step is short enough, and what helps.
+  std::string why_exhausted() const;
+
+  /// The system that tells of the reactions of a state in time.
+  System<dim>& system() { return is_monolithic() ? heated : deformation; }
+  double final_time() const { return stepper.final_time(); }
+
+  /// How time is treated, and which coupling is cheaper, and why.
+  std::vector<std::string> summary() const;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned int)
+  {
+    archive& stepper& parts& accepted_levels;
+  }
+
+private:
+  enum class Coupling { staggered, monolithic };
+
+  /// The fields at a time in s.
+  struct Moment {
+    double time;
+    const BlockVector* x;
+  };
+
+  bool has_heat() const { return layout.has_transient_temperature(); }
+  bool is_monolithic() const { return has_heat() && coupling == Coupling::monolithic; }
+  NewtonReport solve(bool is_last_part, bool extrapolates);
+  NewtonReport deform(bool extrapolates);
+  bool loads_are_steady() const;
+  bool loads_jump() const;
+  void prescribe(double time, unsigned int part);
+  void restore();
+  std::vector<double> times() const;
+  double distance(const Moment& moment, const std::vector<Moment>& others) const;
+  std::optional<StepError> find_error() const;
+  std::string coupling_advice() const;
+
+  System<dim>&deformation, &heated;
+  const FieldLayout<dim>& layout;
+  const BoundaryConditions<dim>& conditions;
+  Loads<dim>& loads;
+  State& state;
+  Predictor<dim>& predictor;
+  const Equilibrium& equilibrium;
+
+  TimeStepper stepper;
+  Coupling coupling = Coupling::staggered;
+  StructuralHeat structural_heat = StructuralHeat::none;
+
+  std::optional<State::Accepted> longer; ///< where a first step led that was too long
+  std::optional<StepError> step_error;   ///< of the step that was tried last
+  std::vector<double> accepted_levels;   ///< of the loads in the last accepted state
+  unsigned int parts = 1;                ///< in which loads that jump come, as time does not help
+  bool is_exhausted = false;
+  StepReport failed; ///< the step that was refused last
+};
+
+} // namespace thelma

@@ -1,0 +1,172 @@
+#include <thelma/base/complaints.h>
+#include <thelma/base/error.h>
+#include <thelma/base/parameters.h>
+#include <thelma/loads/load_list.h>
+#include <thelma/loads/loads.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+namespace thelma
+{
+
+template <int dim>
+Loads<dim>::Loads()
+{
+  for (const std::string& name : load_kinds<dim>().names())
+    items.push_back({name, load_kinds<dim>().create(name)});
+  for (const Item& item : items)
+    if (const std::string name = item.load->amplitude();
+        !name.empty() && std::none_of(amplitudes.begin(), amplitudes.end(),
+                                      [&](const auto& known) { return known.name == name; }))
+      amplitudes.push_back({name});
+}
+
+template <int dim>
+void Loads<dim>::declare(dealii::ParameterHandler& prm)
+{
+  for (const Item& item : items)
+    item.load->declare(prm);
+  const Section section(prm, {"Time"});
+  for (GivenAmplitude& given : amplitudes) {
+    std::string entries;
+    for (const Item& item : items)
+      if (item.load->amplitude() == given.name)
+        entries += (entries.empty() ? "" : " and ") + item.load->entry().path();
+    prm.add_parameter(given.entry(), given.text,
+                      "Multiple of " + entries +
+                          " over time, an expression of t (s) or a table `0: 0, 2.5: 1`.",
+                      dealii::Patterns::Anything());
+  }
+}
+
+template <int dim>
+std::vector<std::string> Loads<dim>::stage_names() const
+{
+  std::vector<std::string> names;
+  for (const Item& item : items)
+    names.push_back(item.load->has_stage() ? item.name : "");
+  return names;
+}
+
+template <int dim>
+std::size_t Loads<dim>::index(const std::string& name) const
+{
+  return std::find_if(items.begin(), items.end(),
+                      [&](const Item& item) { return item.name == name; }) -
+         items.begin();
+}
+
+template <int dim>
+void Loads<dim>::setup(const LoadInput<dim>& input)
+{
+  conditions = input.conditions;
+  Complaints complaints;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    complaints.allow([&]() { items[i].load->setup(input); });
+    if (input.loading != nullptr)
+      items[i].last = input.loading->stages().last_level(i).value_or(1.);
+  }
+  complaints.raise();
+}
+
+template <int dim>
+void Loads<dim>::check(const Stages& stages) const
+{
+  for (std::size_t i = 0; i < items.size(); ++i)
+    items[i].load->check(stages, items[i].name, i);
+}
+
+template <int dim>
+void Loads<dim>::prescribe(State& state) const
+{
+  conditions->hold_supports(state.x);
+  for (const Item& item : items)
+    item.load->prescribe(state);
+  state.x.update_ghost_values();
+}
+
+template <int dim>
+void Loads<dim>::observe(State& state) const
+{
+  for (const Item& item : items)
+    item.load->observe(state);
+}
+
+template <int dim>
+void Loads<dim>::add_forces(const double factor, const State& state, const BlockVector& x,
+                            const Counts& counts, BlockVector& nodal) const
+{
+  for (const Item& item : items)
+    if (item.load->is_present() && counts(item.load->acts_on()))
+      item.load->add_forces(factor, item.load->level(), state, x, nodal);
+}
+
+template <int dim>
+void Loads<dim>::add_tangent(const State& state, const Counts& counts,
+                             TangentEntries<dim>& tangent) const
+{
+  for (const Item& item : items)
+    if (item.load->is_present() && counts(item.load->acts_on()))
+      item.load->add_tangent(state, tangent);
+}
+
+template <int dim>
+HeatInflow Loads<dim>::heat_inflow(const FieldLayout<dim>& layout, const State& state) const
+{
+  BlockVector flows = layout.new_vector();
+  add_forces(
+      1., state, state.x, [](const Field field) { return field == Field::temperature; }, flows);
+  const unsigned int b = layout.block(Field::temperature);
+  std::vector<double> own{0., 0.}, sum(2);
+  for (unsigned int i = 0; i < flows.block(b).locally_owned_size(); ++i) {
+    own[0] += flows.block(b).local_element(i);
+    own[1] += flows.block(b).local_element(i) / state.x.block(b).local_element(i);
+  }
+  dealii::Utilities::MPI::sum(own, layout.communicator(), sum);
+  return {sum[0], sum[1]};
+}
+
+template <int dim>
+std::vector<double> Loads<dim>::levels() const
+{
+  std::vector<double> levels;
+  for (const Item& item : items)
+    levels.push_back(item.load->level());
+  return levels;
+}
+
+template <int dim>
+void Loads<dim>::set_levels(const std::vector<double>& levels)
+{
+  for (std::size_t i = 0; i < items.size(); ++i)
+    items[i].load->set_level(levels[i]);
+}
+
+template <int dim>
+std::vector<double> Loads<dim>::heated_to(const double level) const
+{
+  std::vector<double> heated = levels();
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (items[i].load->is_heating())
+      heated[i] = level;
+  return heated;
+}
+
+template <int dim>
+void Ramp<dim>::go_to(const double load)
+{
+  std::vector<double> levels(from.size());
+  for (std::size_t i = 0; i < levels.size(); ++i)
+    levels[i] = level(i, load);
+  loads.set_levels(levels);
+  loads.prescribe(state);
+}
+
+template class Loads<2>;
+template class Loads<3>;
+template class Ramp<2>;
+template class Ramp<3>;
+
+} // namespace thelma

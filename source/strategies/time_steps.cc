@@ -1,0 +1,314 @@
+#include <thelma/base/error.h>
+#include <thelma/base/option_names.h>
+#include <thelma/base/parameters.h>
+#include <thelma/base/quantity.h>
+#include <thelma/strategies/time_steps.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+namespace thelma
+{
+namespace
+{
+
+OptionNames<StructuralHeat> structural_heats()
+{
+  return {{{"none", StructuralHeat::none},
+           {"power", StructuralHeat::power},
+           {"entropy", StructuralHeat::entropy}}};
+}
+
+} // namespace
+
+template <int dim>
+void TimeSteps<dim>::declare(dealii::ParameterHandler& prm)
+{
+  stepper.declare(prm);
+  const Section section(prm, {"Time"});
+  OptionNames<Coupling>({{"staggered", Coupling::staggered}, {"monolithic", Coupling::monolithic}})
+      .declare(prm, "Coupling", coupling,
+               "`staggered`: temperature, then displacement and potential, two symmetric "
+               "systems; `monolithic`: all at once, one unsymmetric system.");
+  structural_heats().declare(
+      prm, "Structural heat", structural_heat,
+      "Heat made by deformation and field: `none`; `power`: H beside the "
+      "constant capacity c, as in the paper; `entropy`: theta times the rate "
+      "of entropy, which conserves energy.");
+}
+
+template <int dim>
+void TimeSteps<dim>::check() const
+{
+  if (!layout.is_transient() && (loads.has_amplitudes() || structural_heat != StructuralHeat::none))
+    throw InputError("section Time: nothing changes in time here; choose Analysis = transient in "
+                     "the section Time or Model = transient in the section Temperature, or remove "
+                     "the amplitudes and the structural heat");
+}
+
+template <int dim>
+void TimeSteps<dim>::choose()
+{
+  heated.choose(is_monolithic() ? Solved::all : Solved::temperature, deformation);
+  if (is_monolithic())
+    heated.count_on(deformation);
+}
+
+template <int dim>
+void TimeSteps<dim>::start()
+{
+  const AmplitudeTimes& times = loads.amplitude_times();
+  stepper.start(times.kinks, times.bends);
+  longer.reset();
+  parts = 1;
+  accepted_levels = loads.levels();
+  state.time = 0.;
+  state.start();
+}
+
+template <int dim>
+std::vector<double> TimeSteps<dim>::times() const
+{
+  std::vector<double> result;
+  for (const auto& accepted : state.path())
+    result.push_back(accepted.load);
+  return result;
+}
+
+/// The loads of the @p time, or so many of all parts of their way there.
+template <int dim>
+void TimeSteps<dim>::prescribe(const double time, const unsigned int part)
+{
+  std::vector<double> levels = loads.levels_at(time);
+  if (part < parts)
+    for (std::size_t i = 0; i < levels.size(); ++i)
+      levels[i] = accepted_levels[i] + double(part) / parts * (levels[i] - accepted_levels[i]);
+  state.time = time;
+  loads.set_levels(levels);
+  loads.prescribe(state);
+}
+
+template <int dim>
+StepReport TimeSteps<dim>::advance()
+{
+  StepReport step;
+  step.load = stepper.next();
+  state.rates = backward_differences(step.load, times(), stepper.order());
+  state.rates->heat = structural_heat;
+  predictor.predict(step.load, LoadSymmetry::none);
+  for (unsigned int part = 1; part <= parts; ++part) {
+    prescribe(step.load, part);
+    NewtonReport next = solve(part == parts, part == 1);
+    next.add(step.newton);
+    step.newton = next;
+    if (!next.converged)
+      break;
+  }
+  if (is_monolithic())
+    step.newton = equilibrium.judged(heated, step.newton);
+  step.is_accurate = !step.newton.converged || stepper.tolerates(step_error);
+  spent.newton.add(step.newton);
+  if (system().knows_stability())
+    step.unstable_directions = system().unstable_directions(step.newton.negative_pivots);
+  return step;
+}
+
+template <int dim>
+NewtonReport TimeSteps<dim>::solve(const bool is_last_part, const bool extrapolates)
+{
+  if (!has_heat()) {
+    step_error = StepError{0., stepper.order()};
+    return deform(extrapolates);
+  }
+  const NewtonReport warmed = equilibrium.solver().solve(heated);
+  if (warmed.converged && is_last_part)
+    step_error = find_error();
+  const bool deforms = !is_monolithic() && (!is_last_part || stepper.tolerates(step_error));
+  if (!warmed.converged || !deforms)
+    return warmed;
+  NewtonReport deformed = deform(extrapolates);
+  deformed.add(warmed);
+  return deformed;
+}
+
+/// Solve for the deformation once the temperature is known.
+template <int dim>
+NewtonReport TimeSteps<dim>::deform(const bool extrapolates)
+{
+  if (has_heat() && extrapolates && loads_are_steady())
+    predictor.follow_temperature();
+  return equilibrium.find(deformation);
+}
+
+/// Whether only the temperature makes the body deform on the way from the accepted states.
+template <int dim>
+bool TimeSteps<dim>::loads_are_steady() const
+{
+  for (const double time : times()) {
+    const std::vector<double> then = loads.levels_at(time);
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      if (loads[i].acts_on() != Field::temperature && then[i] != loads[i].level())
+        return false;
+  }
+  return true;
+}
+
+/// Whether loads change however short the next step.
+template <int dim>
+bool TimeSteps<dim>::loads_jump() const
+{
+  constexpr double instant = 1e-9, smooth = 1e-6;
+  const std::vector<double> soon = loads.levels_at(state.accepted_load() + instant * final_time());
+  for (std::size_t i = 0; i < loads.size(); ++i)
+    if (loads[i].is_present() && loads[i].acts_at_once() &&
+        std::abs(soon[i] - accepted_levels[i]) > smooth)
+      return true;
+  return false;
+}
+
+template <int dim>
+void TimeSteps<dim>::accept(const StepReport& step, Recorder& recorder)
+{
+  const double surprise = predictor.surprise();
+  stepper.accept(step_error);
+  parts = 1;
+  if (has_heat())
+    state.inflow = heated.heat_inflow();
+  accepted_levels = loads.levels();
+  state.accept(state.time);
+  predictor.adapt(surprise);
+  StepReport now = step;
+  now.next_step = stepper.step();
+  now.part = state.time / final_time();
+  recorder.record(now);
+}
+
+/// Root mean square over the nodes of the distance (K) of the temperature at one moment from the
+/// polynomial through others; nothing where it is prescribed, as at walls that jump.
+template <int dim>
+double TimeSteps<dim>::distance(const Moment& moment, const std::vector<Moment>& others) const
+{
+  BlockVector difference = *moment.x;
+  for (const Moment& a : others) {
+    double weight = 1.;
+    for (const Moment& b : others)
+      if (b.time != a.time)
+        weight *= (moment.time - b.time) / (a.time - b.time);
+    difference.add(-weight, *a.x);
+  }
+  difference.zero_out_ghost_values();
+  conditions.constraints().set_zero(difference);
+  const auto& theta = difference.block(layout.block(Field::temperature));
+  return theta.l2_norm() / std::sqrt(static_cast<double>(theta.size()));
+}
+
+/// Unknown for a first step before there is a longer one to compare it with.
+template <int dim>
+std::optional<StepError> TimeSteps<dim>::find_error() const
+{
+  const auto& path = state.path();
+  const Moment now = {state.time, &state.x};
+  if (path.size() == 1 && !longer)
+    return {};
+  if (path.size() == 1)
+    return StepError{first_error_share(state.time, longer->load) *
+                         distance({longer->load, &longer->x}, {{0., &path[0].x}, now}),
+                     1};
+  const unsigned int order = std::min<std::size_t>(stepper.order(), path.size() - 1);
+  std::vector<Moment> newest;
+  for (std::size_t k = path.size() - order - 1; k < path.size(); ++k)
+    newest.push_back({path[k].load, &path[k].x});
+  return StepError{error_share(state.time, times(), order) * distance(now, newest), order};
+}
+
+/// Unless there is no state, the step was too long for the tolerance.
+template <int dim>
+void TimeSteps<dim>::cut_back(const StepReport& step)
+{
+  constexpr unsigned int most = 16;
+  ++spent.failed_steps;
+  failed = step;
+  if (step.newton.converged) {
+    stepper.accept(step_error);
+    if (state.path().size() == 1)
+      longer = {state.time, state.x, {}};
+    restore();
+  } else {
+    restore();
+    stepper.cut_back();
+    if (loads_jump())
+      parts = std::min(2 * parts, most);
+    predictor.adapt(std::numeric_limits<double>::infinity());
+  }
+  is_exhausted = stepper.exhausted();
+}
+
+template <int dim>
+StepsEnd TimeSteps<dim>::end() const
+{
+  return stepper.finished() ? StepsEnd::target
+         : is_exhausted     ? StepsEnd::exhausted
+                            : StepsEnd::none;
+}
+
+template <int dim>
+std::string TimeSteps<dim>::why_exhausted() const
+{
+  const std::string time = as_text(state.accepted_load()) + " s";
+  if (failed.newton.converged)
+    return " beyond " + time + " no time step keeps Time/Tolerance; choose a larger one";
+  return ": no stable state beyond " + time + ": " + failed.newton.reason +
+         (state.accepted_load() > 0. ? ""
+                                     : "; against a jump at time 0 more Newton/Iterations help, or "
+                                       "an amplitude that rises");
+}
+
+/// The newest accepted state with its own time and loads, which fields and checkpoints tell.
+template <int dim>
+void TimeSteps<dim>::restore()
+{
+  state.restore();
+  state.time = state.accepted_load();
+  loads.set_levels(accepted_levels);
+  loads.prescribe(state);
+}
+
+template <int dim>
+std::vector<std::string> TimeSteps<dim>::summary() const
+{
+  std::vector<std::string> lines{"time: " +
+                                 std::string(stepper.order() == 2 ? "BDF2" : "backward Euler")};
+  if (has_heat()) {
+    lines.front() += ", structural heat: " + structural_heats().name(structural_heat);
+    lines.push_back(coupling_advice());
+  }
+  if (const std::string sentence = stepper.steps_over(loads.amplitude_times().bends);
+      !sentence.empty())
+    lines.push_back(sentence);
+  return lines;
+}
+
+template <int dim>
+std::string TimeSteps<dim>::coupling_advice() const
+{
+  const double n = layout.n_dofs(Field::displacement) +
+                   (layout.has(Field::potential) ? layout.n_dofs(Field::potential) : 0);
+  const double n_theta = layout.n_dofs(Field::temperature);
+  // Operations of a factorisation by nested dissection, twice as many if it is unsymmetric.
+  const double power = dim == 2 ? 1.5 : 2.;
+  const double ratio =
+      2. * std::pow(n + n_theta, power) / (std::pow(n, power) + std::pow(n_theta, power));
+  std::ostringstream text;
+  text << std::setprecision(2) << "coupling: " << (is_monolithic() ? "monolithic" : "staggered")
+       << "; staggered is cheaper, because its two matrices are symmetric and smaller: one "
+       << "monolithic factorisation costs about " << ratio << " times as much";
+  return text.str();
+}
+
+template class TimeSteps<2>;
+template class TimeSteps<3>;
+
+} // namespace thelma
