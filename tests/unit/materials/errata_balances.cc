@@ -1,4 +1,4 @@
-#include "materials_support.h"
+#include "support.h"
 
 #include <deal.II/base/quadrature_lib.h>
 

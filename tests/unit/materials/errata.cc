@@ -1,4 +1,4 @@
-#include "materials_support.h"
+#include "support.h"
 
 /// The printed constitutive equations of the paper (Sharma, Khurana, Joglekar), index by index,
 /// against Sacado on the energy: where a printed equation is wrong the test shows it wrong and the

@@ -1,9 +1,9 @@
 // The transient coupled problem against manufactured solutions, and the adiabatic stretch against
 // its ordinary differential equation.
 
-#include <gtest/gtest.h>
-
 #include "manufactured.h"
+
+#include <gtest/gtest.h>
 
 #include <cstdio>
 
