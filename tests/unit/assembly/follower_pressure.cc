@@ -2,6 +2,7 @@
 // gradient they are, and the volumes of a sphere and a tube in closed form.
 
 #include "derivatives.h"
+#include "marks.h"
 
 #include <gtest/gtest.h>
 
@@ -136,6 +137,8 @@ TEST(FollowerPressure, ForcesAreTheGradientOfTheEnclosedVolume)
   check_forces<3>(balloon(2));
   check_forces<2>(tube());
 }
+
+ON_TWO_RANKS(FollowerPressureTangent);
 
 TEST(FollowerPressureTangent, IsTheDerivativeOfTheResidual)
 {
