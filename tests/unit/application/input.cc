@@ -32,6 +32,13 @@ bool contains(const std::string& text, const std::string& part)
   return text.find(part) != std::string::npos;
 }
 
+/// Places, names and remedies.
+void expect_words(const std::string& sentence, const std::vector<std::string>& words)
+{
+  for (const std::string& word : words)
+    EXPECT_TRUE(contains(sentence, word)) << sentence << "\nhas no " << word;
+}
+
 std::vector<std::string> scenes()
 {
   std::vector<std::string> texts;
@@ -92,16 +99,13 @@ TEST(Input, AllProblemsAreSaidAtOnceWithTheirLines)
                                                     "  set Value = 2 kV\n"
                                                     "  hello\n");
   ASSERT_EQ(found.size(), 7u);
-  EXPECT_TRUE(contains(found[0], ":4: unknown subsection 'Newtn'; did you mean 'Newton'?"));
-  EXPECT_TRUE(contains(found[1], ":8, section Newton: unknown entry 'Tolerence'; did you mean "
-                                 "'Tolerance'?"));
-  EXPECT_TRUE(contains(found[2], ":9, section Newton, entry 'Iterations': the value is 'many' but "
-                                 "must be an integer from 1 to 1000"));
-  EXPECT_TRUE(contains(found[3], ":10, section Newton: unknown entry 'Film thickness'; it belongs "
-                                 "to the section Loading"));
-  EXPECT_TRUE(contains(found[4], ":12: the subsection 'Temperature' is not closed"));
-  EXPECT_TRUE(contains(found[5], ":13, section Temperature, entry 'Value': '2 kV' is a voltage"));
-  EXPECT_TRUE(contains(found[6], ":14: cannot read 'hello'"));
+  expect_words(found[0], {":4", "'Newtn'", "'Newton'"});
+  expect_words(found[1], {":8", "section Newton", "'Tolerence'", "'Tolerance'"});
+  expect_words(found[2], {":9", "section Newton", "'Iterations'", "'many'", "1 to 1000"});
+  expect_words(found[3], {":10", "section Newton", "'Film thickness'", "section Loading"});
+  expect_words(found[4], {":12", "'Temperature'", "closed"});
+  expect_words(found[5], {":13", "section Temperature", "'Value'", "'2 kV'", "voltage"});
+  expect_words(found[6], {":14", "'hello'"});
 }
 
 // deal.II's own listings take a dot in a name for a separator.
@@ -112,9 +116,7 @@ TEST(Input, NamesMayHaveDots)
         "subsection Regions\n set Materials = film: " + name +
         "\nend\nsubsection Materials\n subsection " + name + "\n  set Gent limt = 80\n end\nend\n");
     ASSERT_EQ(found.size(), 1u) << name;
-    EXPECT_TRUE(contains(found[0], "parameters:6, section Materials/" + name +
-                                       ": unknown entry 'Gent limt'; known: Bulk modulus"))
-        << found[0];
+    expect_words(found[0], {":6", "section Materials/" + name, "'Gent limt'", "Bulk modulus"});
   }
 }
 
@@ -123,24 +125,24 @@ TEST(Input, EntriesWithoutEffectAreTold)
 {
   const auto told = [](const std::vector<Override>& changes) {
     const ParameterFile file(THELMA_SOURCE_DIR "/prm/verification/slab_heating.prm", changes);
-    return joined(lines_of(check_scene(MPI_COMM_SELF, file, testing::TempDir()), "without effect"));
+    return lines_of(check_scene(MPI_COMM_SELF, file, testing::TempDir()), "without effect");
   };
-  EXPECT_EQ(told({}), "");
-  EXPECT_EQ(told({{{"Stepping"}, "Most steps", "5"},
-                  {{"Linear solver"}, "Tolerance", "1e-7"},
-                  {{"Linear solver"}, "Iterations", "9"},
-                  {{"Mesh"}, "Imperfection shape", "x3; 0; 0"},
-                  {{"Time"}, "Heat amplitude", "t"},
-                  {{"Loading"}, "Film thickness", "2 mm"}}),
-            "  without effect: Mesh/Imperfection shape, because Imperfection is 0\n"
-            "  without effect: Time/Heat amplitude, because there is neither Heat/Flux nor "
-            "Heat/Source\n"
-            "  without effect: Loading/Film thickness, because every region is passive\n"
-            "  without effect: Stepping/Most steps, because Continuation is not automatic\n"
-            "  without effect: Linear solver/Iterations, Linear solver/Tolerance, because the "
-            "solver is direct\n");
-  EXPECT_EQ(told({{{"Mesh"}, "Imperfection", "0.1"}, {{"Mesh"}, "Imperfection shape", "x1; 0; 0"}}),
-            "");
+  EXPECT_TRUE(told({}).empty());
+  const std::vector<std::string> found = told({{{"Stepping"}, "Most steps", "5"},
+                                               {{"Linear solver"}, "Tolerance", "1e-7"},
+                                               {{"Linear solver"}, "Iterations", "9"},
+                                               {{"Mesh"}, "Imperfection shape", "x3; 0; 0"},
+                                               {{"Time"}, "Heat amplitude", "t"},
+                                               {{"Loading"}, "Film thickness", "2 mm"}});
+  ASSERT_EQ(found.size(), 5u) << joined(found);
+  expect_words(found[0], {"Mesh/Imperfection shape", "Imperfection is 0"});
+  expect_words(found[1], {"Time/Heat amplitude", "Heat/Flux", "Heat/Source"});
+  expect_words(found[2], {"Loading/Film thickness", "passive"});
+  expect_words(found[3], {"Stepping/Most steps", "Continuation", "automatic"});
+  expect_words(found[4], {"Linear solver/Iterations", "Linear solver/Tolerance", "direct"});
+  EXPECT_TRUE(
+      told({{{"Mesh"}, "Imperfection", "0.1"}, {{"Mesh"}, "Imperfection shape", "x1; 0; 0"}})
+          .empty());
 }
 
 TEST(Input, EverySceneIsRead)

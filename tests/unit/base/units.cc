@@ -55,9 +55,10 @@ TEST(Units, AreConverted)
 
 TEST(Units, WrongDimensionsAreNamed)
 {
-  EXPECT_TRUE(
-      contains(complaint(Quantity("kV"), "353 K"), "is a temperature but must be a voltage"));
-  EXPECT_TRUE(contains(complaint(Quantity("mm"), "3 kPa"), "is a pressure but must be a length"));
+  for (const char* word : {"temperature", "voltage"})
+    EXPECT_TRUE(contains(complaint(Quantity("kV"), "353 K"), word));
+  for (const char* word : {"pressure", "length"})
+    EXPECT_TRUE(contains(complaint(Quantity("mm"), "3 kPa"), word));
   EXPECT_TRUE(contains(complaint(Quantity("mm"), "3 furlong"), "'furlong'"));
   EXPECT_TRUE(contains(complaint(Quantity("mm"), "3 m^"), "no unit"));
   EXPECT_TRUE(contains(complaint(Quantity("mm"), "3 (((m"), "no unit"));
