@@ -37,7 +37,7 @@ struct Estimate {
 struct Entries {
   unsigned int refinements = 0, degree = 1, dimension = 3;
   double newton_tolerance = 1e-10;
-  std::string temperature, scheme = "BDF2";
+  std::string temperature, analysis, scheme = "BDF2";
 
   explicit Entries(const ParameterFile& scene)
   {

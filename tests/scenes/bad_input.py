@@ -132,8 +132,8 @@ subsection Observables
   end
 end
 """
-OF_NAMES = [(":8, section Newton", "did you mean 'Tolerance'?"), (":17,", "a voltage"),
-            (":20, section Output, entry 'Observables'", "did you mean 'lambda_3'?"),
+OF_NAMES = [(":8, section Newton", "'Tolerance'"), (":17,", "voltage"),
+            (":20, section Output, entry 'Observables'", "'lambda_3'"),
             (":11, section Supports, entry 'Fixed'", "'x9'"),
             (":14, section Electrodes, entry 'Potential'", "short circuit"),
             (":24, section Observables/reaction", "'nowhere'")]
@@ -184,14 +184,12 @@ subsection Expectations
   set Relative tolerance = 2
 end
 """
-OF_VALUES = [(":1,", "an integer from 2 to 3"), (":3, section Mesh", "there is no file"),
-             (":4,", "write `name: value"), (":7,", "'film' is given twice"),
-             (":11,", "'one' is not a number"), (":14,", "must be `name: value`"),
-             (":15,", "write it as u1 2.5"), (":18,", "20 degC"), (":19,", "mean 'steady'?"),
-             (":22,", "at least 0"), (":23,", "known units: degC, "), (":26,", "3 components"),
-             (":29,", "decimal point"), (":30,", "a number from 1e-12 to 1"),
-             (":33,", "any of u1, u2, u3"), (":37,", "set on line 36 already"),
-             (":40,", "'charge' is given twice"), (":43,", "a number from 0 to 1")]
+OF_VALUES = [(":1,", "from 2 to 3"), (":3, section Mesh", "no file"), (":4,", "`name: value"),
+             (":7,", "twice"), (":11,", "'one'"), (":14,", "`name: value`"), (":15,", "u1 2.5"),
+             (":18,", "20 degC"), (":19,", "'steady'"), (":22,", "at least 0"), (":23,", "degC"),
+             (":26,", "3 components"), (":29,", "decimal point"), (":30,", "from 1e-12 to 1"),
+             (":33,", "u1, u2, u3"), (":37,", "line 36"), (":40,", "twice"),
+             (":43,", "from 0 to 1")]
 
 # Scenes of a dimension that the mesh does not have.
 PLANE = """set Dimension = 2
@@ -206,20 +204,19 @@ end
 # What is wrong, the options that make it so, and what the sentence must say. First entries that
 # each rank refuses while it reads: on one rank, as the way out is that of the faults of one file.
 READING = [
-    ("unknown entry", ["--set", "Newton/Tolerence=1"],
-     ["'Tolerence'", "did you mean 'Tolerance'?"]),
-    ("unknown section", ["--set", "Newtn/Tolerance=1"], ["'Newtn'", "did you mean 'Newton'?"]),
+    ("unknown entry", ["--set", "Newton/Tolerence=1"], ["'Tolerence'", "'Tolerance'"]),
+    ("unknown section", ["--set", "Newtn/Tolerance=1"], ["'Newtn'", "'Newton'"]),
     ("entry of another section", ["--set", "Newton/Film thickness=1"],
      ["'Film thickness'", "section Loading"]),
     ("wrong dimension", ["--set", "Temperature/Value=353 kPa"],
-     ["'353 kPa' is a pressure but must be a temperature", "K"]),
+     ["'353 kPa'", "pressure", "temperature", "K"]),
     ("wrong dimension of one of several", ["--set", "Mesh/Parameters=L1: 5 mm, L3: 1 kV"],
-     ["'1 kV' is a voltage but must be a length"]),
+     ["'1 kV'", "voltage", "length"]),
     ("unknown unit", ["--set", "Loading/Film thickness=40 thou"], ["'thou'", "no unit", "mm"]),
     ("voltage where e is controlled", ["--set", "Loading/Target=18.2 kV"],
-     ["command line", "Target", "'18.2 kV' is a voltage but must be a plain number", "Control"]),
+     ["command line", "Target", "'18.2 kV'", "voltage", "plain number", "Control"]),
     ("malformed value", ["--set", "Newton/Tolerance=small"],
-     ["'small'", "number from 1e-14 to 1e-06"]),
+     ["'small'", "from 1e-14 to 1e-06"]),
     ("unknown material", ["--set", "Loading/Film material=rubber"],
      ["Film material", "'rubber'", "elastomer"]),
     ("unknown law", ["--set", "Materials/elastomer/Elastic law=Foo"], ["'Foo'", "neo-Hookean"]),
@@ -268,7 +265,7 @@ CASES = [
     ("imperfection without shape", ["--set", "Mesh/Imperfection=0.1"], ["shape", "three"]),
     ("unreadable imperfection", ["--set", "Mesh/Imperfection=0.1",
                                  "--set", "Mesh/Imperfection shape=0; 0; sin(x4)"],
-     ["shape", "'sin(x4)'", "Unexpected token", "x1,x2,x3"]),
+     ["shape", "'sin(x4)'", "x1,x2,x3"]),
     ("imperfection turns cells inside out", ["--set", "Mesh/Imperfection=2",
                                              "--set", "Mesh/Imperfection shape=0; 0; -x3"],
      ["Imperfection", "inside out"]),
@@ -280,15 +277,15 @@ CASES = [
      ["--set", "Output/Observables=lambda_3, reaction", "--set", "Observables/reaction/At=x9"],
      ["reaction", "'x9'", "x1_min"]),
     ("short circuit", ["--set", "Electrodes/Potential=bottom: 0, top: 1, x1_max: 1"],
-     ["command line", "'x1_max' touches 'bottom'", "short circuit"]),
+     ["command line", "'x1_max'", "'bottom'", "short circuit"]),
     ("body that can move", ["--set", "Supports/Fixed=x1_min: u1, bottom: u3"],
-     ["'film' floats", "move along x2", "fix more"]),
+     ["'film'", "along x2", "fix more"]),
     ("body without support", ["--set", "Mesh/File={folder}/two_bodies.geo", "--set",
                               "Mesh/Parameters=", "--set",
                               "Regions/Materials=film: elastomer, loose: elastomer"],
-     ["'loose' floats", "another body"]),
+     ["'loose'", "another body"]),
     ("cells inside out", ["--set", "Mesh/File={folder}/bow_tie.geo", "--set", "Mesh/Parameters="],
-     ["cells are flat or turned inside out", "film", "mm"]),
+     ["inside out", "film", "mm"]),
     ("node that lies nowhere", ["--set", "Mesh/File={folder}/nan.msh", "--set", "Mesh/Parameters="],
      ["node 5", "nan.msh", "x2 = nan"]),
     ("node at infinity", ["--set", "Mesh/File={folder}/inf.msh", "--set", "Mesh/Parameters="],
@@ -314,7 +311,7 @@ CASES = [
                                   "--set", "Electrodes/Potential=bottom: 0, top: 1, other: 1",
                                   "--set", "Mesh/File={folder}/two_films.geo",
                                   "--set", "Mesh/Parameters="],
-     ["connect top", "'other' would jump"]),
+     ["connect top", "'other'"]),
     ("disconnected but touched", ["--set", "Electrodes/Potential=bottom: 0, top: 1, x1_max: 1",
                                   "--set", "Mesh/File={folder}/tall.geo",
                                   "--set", "Mesh/Parameters=",
@@ -396,8 +393,8 @@ def check_several(program, folder, all_ranks):
     source = program.source.resolve()
     for scene, expected in (
             (NAMES.format(source=source), OF_NAMES), (VALUES, OF_VALUES),
-            (PLANE.format(file=f"{source}/meshes/box.geo"), [(":3,", "write `set Dimension = 3`")]),
-            (PLANE.format(file="flat.geo"), [(":3,", "leaves the plane of x1 and x3")])):
+            (PLANE.format(file=f"{source}/meshes/box.geo"), [(":3,", "`set Dimension = 3`")]),
+            (PLANE.format(file="flat.geo"), [(":3,", "x1 and x3")])):
         (folder / "several.prm").write_text(scene, encoding="utf8")
         for ranks in all_ranks:
             code, text = complaint(program, ["--check", f"{folder}/several.prm"], ranks)

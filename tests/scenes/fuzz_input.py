@@ -2,7 +2,7 @@
 
 Usage: fuzz_input.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
 
-Most damaged parameter files are read in process (tests/unit/input.cc); here the program is started.
+Most damaged parameter files are read in process (tests/unit/application/input.cc); here the program is started.
 """
 
 import concurrent.futures

@@ -38,10 +38,10 @@ SOUND_SCENES = ["crlf.prm", "byte_order_mark.prm"]
 BROKEN = {"byte_order_mark.msh": "byte order mark", "utf_16.msh": "byte order mark",
           "decimal_comma.msh": "decimal points", "no_elements.msh": "no cells",
           "node_nowhere.msh": "node 2", "triangles.msh": "Mesh.SubdivisionAlgorithm = 1",
-          "second_order.msh": "order 1", "one_name_twice.msh": "'film', to the physical surface 21",
-          "curve_and_surface.msh": "'film', to the physical curve 12",
-          "unnamed_region.msh": "the physical surface 22"}
-WARNED = {"apart.msh": "2 nodes of 'film' and 'film' lie upon each other"}
+          "second_order.msh": "order 1", "one_name_twice.msh": "physical surface 21",
+          "curve_and_surface.msh": "physical curve 12",
+          "unnamed_region.msh": "physical surface 22"}
+WARNED = {"apart.msh": "2 nodes of 'film' and 'film'"}
 
 
 def run(program, scene, entries, folder):

@@ -86,7 +86,7 @@ def check_bad_case(program, folder):
     different = text[text.index("Different between the runs"):text.index("The same in all runs")]
     require(re.findall(r"<th>(.*?)</th>", different) == ["run", "Temperature/Value (K)"],
             f"other entries differ: {different}")
-    require("not begun: Temperature = -5." in text, "not a word of the bad case")
+    require("not begun" in text and "Temperature = -5" in text, "not a word of the bad case")
 
 
 def chart_data(text, identity):
@@ -118,10 +118,10 @@ def check_colours(folder):
     subprocess.run([SCRIPT, str(folder), "--field", "phi"], check=True)
     require(re.search(r"colours: phi from 0 .* kV", (folder / "report.html").read_text()), "no phi")
     done = subprocess.run([SCRIPT, str(folder), "--field", "psi"], capture_output=True, text=True, check=True)
-    require("'psi'; known: D, E, J, P, phi," in done.stderr, done.stderr)
+    require("'psi'" in done.stderr and "D, E, J, P, phi," in done.stderr, done.stderr)
     with tempfile.TemporaryDirectory() as bare:
         (Path(bare) / "python3").symlink_to(sys.executable)
-        for display, words in ((None, "need an X display or Xvfb"), (":987", "DISPLAY")):
+        for display, words in ((None, "Xvfb"), (":987", "DISPLAY")):
             environment = {"PATH": bare, **({"DISPLAY": display} if display else {})}
             subprocess.run([SCRIPT, str(folder)], check=True, env=environment, stderr=subprocess.DEVNULL)
             text = (folder / "report.html").read_text()

@@ -132,7 +132,7 @@ class Plot(unittest.TestCase):
     def test_unknown_figure(self):
         result = plot(self.folder, "3")
         self.assertEqual(result.returncode, 2)
-        self.assertIn("there is no figure 3", result.stderr)
+        self.assertIn("figure 3", result.stderr)
 
 
 class Bodies(unittest.TestCase):

@@ -44,7 +44,7 @@ void expect_contacts_only_without_a_gap()
   for (const double slope : {0., 0.3, 1.}) {
     const std::vector<std::string> said = contacts(two_blocks<dim>(slope, 0.));
     ASSERT_EQ(said.size(), 1u) << slope;
-    EXPECT_NE(said[0].find("'lower' and 'upper' meet without common nodes"), std::string::npos);
+    EXPECT_NE(said[0].find("'lower' and 'upper'"), std::string::npos) << said[0];
     EXPECT_TRUE(contacts(two_blocks<dim>(slope, 0.01)).empty()) << slope;
   }
 }

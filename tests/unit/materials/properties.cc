@@ -1,4 +1,4 @@
-#include "materials_support.h"
+#include "support.h"
 
 /// What every material must do whatever its law: rest, free expansion, indifference to the
 /// observer, symmetry; and the values of the paper's law at one point, computed independently.

@@ -1,4 +1,4 @@
-#include "materials_support.h"
+#include "support.h"
 
 /// Every hand-written derivative of the point physics against Sacado: first derivatives against
 /// the energy, tangents against the hand-written P, D, eta. A law added to materials/list.h is

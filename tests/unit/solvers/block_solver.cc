@@ -1,6 +1,7 @@
 // The block solver keeps the pressures as unknowns; what it finds is what the factorised condensed
 // tangent gives.
 
+#include "marks.h"
 #include "scene.h"
 
 #include <thelma/solvers/mumps.h>
@@ -57,6 +58,8 @@ void expect_equal_corrections(const std::string& scene)
     EXPECT_LT(difference.l2_norm(), 1e-7 * direct.block(b).l2_norm()) << "block " << b;
   }
 }
+
+ON_TWO_RANKS(BlockSolver);
 
 TEST(BlockSolver, CorrectsLikeTheDirectSolver)
 {

@@ -1,4 +1,6 @@
-// The eigenpair of smallest size against closed forms; run on 2 ranks too.
+// The eigenpair of smallest size against closed forms.
+
+#include "marks.h"
 
 #include <thelma/solvers/eigenpairs.h>
 
@@ -26,6 +28,8 @@ Vector start_of_length(const unsigned int n)
     start(i) = std::sin(1. + i);
   return start;
 }
+
+ON_TWO_RANKS(Eigenpair);
 
 /// Eigenvalues -0.1 (of entry 3) and 1, 2, 3 ...: far from enough different ones for ARPACK's
 /// vectors.

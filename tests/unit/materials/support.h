@@ -1,6 +1,6 @@
 #pragma once
 
-#include "materials_sacado.h"
+#include "sacado.h"
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <thelma/materials/list.h>

@@ -1,5 +1,7 @@
 // A mesh dealt out to the ranks: each has only its part, all of them together have all of it.
 
+#include "marks.h"
+
 #include <thelma/mesh/mesh.h>
 
 #include <deal.II/base/mpi.h>
@@ -32,6 +34,7 @@ protected:
 
   Mesh<3> mesh;
 };
+ON_TWO_RANKS(DealtOut);
 
 TEST_F(DealtOut, MeshGivesEveryCellToOneRank)
 {

@@ -2,6 +2,7 @@
 // Newton's method that follows from it. The truth is the residual itself.
 
 #include "derivatives.h"
+#include "marks.h"
 
 #include <deal.II/fe/mapping_q1.h>
 
@@ -37,6 +38,8 @@ void PrintTo(const Case& c, std::ostream* out)
 class Tangent : public testing::TestWithParam<Case>
 {
 };
+SLOW(Tangent);
+ON_TWO_RANKS(Tangent);
 
 /// A bent, charged and heated state: the layers curl about x2 and carry random fields.
 template <int dim>

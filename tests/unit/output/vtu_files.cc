@@ -1,5 +1,6 @@
 // Fields of several ranks in common files, whichever rank fails.
 
+#include "marks.h"
 #include "scene.h"
 
 #include <thelma/base/error.h>
@@ -61,6 +62,7 @@ protected:
   VtuFiles<3> files;
   std::string folder;
 };
+ON_TWO_RANKS(DealtOutFields);
 
 TEST_F(DealtOutFields, OfAllRanksMakeOneFile)
 {

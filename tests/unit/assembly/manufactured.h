@@ -7,6 +7,8 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <gtest/gtest.h>
+
 #include <array>
 #include <cmath>
 

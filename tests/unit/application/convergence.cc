@@ -84,15 +84,14 @@ TEST(Convergence, MirrorImagesAndOtherEndsAreNotCompared)
 {
   const Outcome given = ended(0.62, 3.);
   EXPECT_EQ(disagreement(given, ended(0.65, 3.1)), "");
-  EXPECT_NE(disagreement(given, ended(-0.64, 3.1)).find("opposite branch: tip_u1_mm"),
-            std::string::npos);
+  EXPECT_NE(disagreement(given, ended(-0.64, 3.1)).find("tip_u1_mm"), std::string::npos);
   Outcome opposite_noise = ended(0.62, 3.);
   opposite_noise.final_values[2].second = 1e-12;
   EXPECT_EQ(disagreement(given, opposite_noise), "");
   Outcome pull_in = given;
   pull_in.end(EndReason::pull_in, "");
   pull_in.pull_in = Bracket{0.5, 0.6, 0.55};
-  EXPECT_EQ(disagreement(given, pull_in), "ended otherwise: pull-in");
+  EXPECT_NE(disagreement(given, pull_in).find("pull-in"), std::string::npos);
   EXPECT_EQ(doubt(given, given), "");
   EXPECT_NE(doubt(given, ended(0.62, 3., 2.)).find("2 unstable"), std::string::npos);
 }

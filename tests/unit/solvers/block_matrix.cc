@@ -1,5 +1,7 @@
 // Products with blocks are those of Trilinos' matrix they were copied from, on any number of ranks.
 
+#include "marks.h"
+
 #include <thelma/solvers/block_matrix.h>
 
 #include <deal.II/base/mpi.h>
@@ -85,6 +87,8 @@ void expect_products(const unsigned int n_rows, const unsigned int n, const unsi
   blocks.add_transposed(3., f, z);
   expect_equal(z, transposed);
 }
+
+ON_TWO_RANKS(BlockMatrix);
 
 TEST(BlockMatrix, MultipliesLikeTheMatrix)
 {

@@ -1,9 +1,10 @@
 // The transient coupled problem against manufactured solutions, and the adiabatic stretch against
 // its ordinary differential equation.
 
-#include <gtest/gtest.h>
-
 #include "manufactured.h"
+#include "marks.h"
+
+#include <gtest/gtest.h>
 
 #include <cstdio>
 
@@ -51,6 +52,7 @@ const char* name_of(const StructuralHeat heat)
 class InTime : public testing::TestWithParam<StructuralHeat>
 {
 };
+SLOW(InTime);
 
 /// Fields linear in space lie in the elements' space and are found there without error; their
 /// sines in time are not.
