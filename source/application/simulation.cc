@@ -52,7 +52,7 @@ void require_no_study(const MPI_Comm comm, const std::string& folder)
   on_rank_0(comm, [&]() {
     if (std::filesystem::exists(folder + "/study.csv"))
       throw InputError("command line, --output: '" + folder +
-                       "' has a study in it; choose another folder");
+                       "' contains a study; choose another folder");
   });
 }
 
@@ -137,10 +137,10 @@ std::string check_scene(const MPI_Comm comm, const ParameterFile& file, const st
     problem.draw_mesh(folder);
     problem.setup();
     std::ostringstream text;
-    text << "no problem found; shape of the worst cell: " << std::setprecision(2)
+    text << "no errors found; shape quality of the worst cell: " << std::setprecision(2)
          << problem.mesh_shape() << (problem.mesh_shape() < 0.2 ? ", poor" : "")
          << " (1 is a box); the mesh "
-         << (problem.has_drawn_mesh() ? "is in " : "cannot be written into ") << folder
+         << (problem.has_drawn_mesh() ? "is in " : "cannot be written to ") << folder
          << "/mesh.vtu";
     for (const std::string& line : problem.modelled())
       text << "\n  " << line;

@@ -190,7 +190,7 @@ OF_VALUES = [(":1,", "an integer from 2 to 3"), (":3, section Mesh", "there is n
              (":15,", "write it as u1 2.5"), (":18,", "20 degC"), (":19,", "mean 'steady'?"),
              (":22,", "at least 0"), (":23,", "known units: degC, "), (":26,", "3 components"),
              (":29,", "decimal point"), (":30,", "a number from 1e-12 to 1"),
-             (":33,", "any of u1, u2, u3"), (":37,", "set on line 36 already"),
+             (":33,", "any of u1, u2, u3"), (":37,", "already set on line 36"),
              (":40,", "'charge' is given twice"), (":43,", "a number from 0 to 1")]
 
 # Scenes of a dimension that the mesh does not have.
@@ -215,7 +215,7 @@ READING = [
      ["'353 kPa' is a pressure but must be a temperature", "K"]),
     ("wrong dimension of one of several", ["--set", "Mesh/Parameters=L1: 5 mm, L3: 1 kV"],
      ["'1 kV' is a voltage but must be a length"]),
-    ("unknown unit", ["--set", "Loading/Film thickness=40 thou"], ["'thou'", "no unit", "mm"]),
+    ("unknown unit", ["--set", "Loading/Film thickness=40 thou"], ["'thou'", "not a unit", "mm"]),
     ("voltage where e is controlled", ["--set", "Loading/Target=18.2 kV"],
      ["command line", "Target", "'18.2 kV' is a voltage but must be a plain number", "Control"]),
     ("malformed value", ["--set", "Newton/Tolerance=small"],
@@ -271,7 +271,7 @@ CASES = [
      ["shape", "'sin(x4)'", "Unexpected token", "x1,x2,x3"]),
     ("imperfection turns cells inside out", ["--set", "Mesh/Imperfection=2",
                                              "--set", "Mesh/Imperfection shape=0; 0; -x3"],
-     ["Imperfection", "inside out"]),
+     ["Imperfection", "inverts a cell"]),
     ("endless expectation", ["--set", "Expectations/Final values=e: 1/0"],
      ["Final values", "'1/0' is inf"]),
     ("unreadable expectation", ["--set", "Expectations/Final values=e: theta +"],
@@ -288,7 +288,7 @@ CASES = [
                               "Regions/Materials=film: elastomer, loose: elastomer"],
      ["'loose' floats", "another body"]),
     ("cells inside out", ["--set", "Mesh/File={folder}/bow_tie.geo", "--set", "Mesh/Parameters="],
-     ["cells are flat or turned inside out", "film", "mm"]),
+     ["cells are flat or inverted", "film", "mm"]),
     ("node that lies nowhere", ["--set", "Mesh/File={folder}/nan.msh", "--set", "Mesh/Parameters="],
      ["node 5", "nan.msh", "x2 = nan"]),
     ("node at infinity", ["--set", "Mesh/File={folder}/inf.msh", "--set", "Mesh/Parameters="],

@@ -41,7 +41,7 @@ BROKEN = {"byte_order_mark.msh": "byte order mark", "utf_16.msh": "byte order ma
           "second_order.msh": "order 1", "one_name_twice.msh": "'film', to the physical surface 21",
           "curve_and_surface.msh": "'film', to the physical curve 12",
           "unnamed_region.msh": "the physical surface 22"}
-WARNED = {"apart.msh": "2 nodes of 'film' and 'film' lie upon each other"}
+WARNED = {"apart.msh": "2 nodes of 'film' and 'film' coincide"}
 
 
 def run(program, scene, entries, folder):

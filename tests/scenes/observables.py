@@ -92,7 +92,7 @@ def check_shared_edges(program, folder):
     program.run("planar_actuator", folder, *SPACE, "--set",
                 "Supports/Fixed=x1_max: u1 u3, x2_min: u2, x1_min: u1, bottom: u3")
     summary = json.loads((Path(folder) / "run.json").read_text())["modelled"]
-    require(any("reaction_f3_N contains what 'bottom'" in line for line in summary),
+    require(any("reaction_f3_N includes the force of 'bottom'" in line for line in summary),
             "an edge that two supports hold is not told of")
 
 

@@ -249,7 +249,7 @@ def check_full_disk(program, folder, name):
         resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (limit, limit))
         errors = process.communicate(timeout=60)[1]
     require(process.returncode == 4, f"full disk: exit code {process.returncode}, {errors}")
-    require(errors.count("\n") == 1 and "make room" in errors, f"full disk: {errors}")
+    require(errors.count("\n") == 1 and "free disk space" in errors, f"full disk: {errors}")
     require(not list(output.glob("*.part")), "full disk: half a file is left")
     runs.finish(output, [])
     largest = compare(name, output, reference, 1e-10, work=True)
@@ -270,7 +270,7 @@ def check_refusals(program, folder):
     require("another scene" in errors and "lambda_3, lambda_1" in errors, errors)
     nothing = subprocess.run(program.command(["--restart", str(folder)], 1),
                              capture_output=True, text=True, check=False)
-    require(nothing.returncode == 1 and "no run that could go on" in nothing.stderr,
+    require(nothing.returncode == 1 and "no run to continue" in nothing.stderr,
             nothing.stderr)
 
 

@@ -92,7 +92,7 @@ TEST(Convergence, MirrorImagesAndOtherEndsAreNotCompared)
   Outcome pull_in = given;
   pull_in.end(EndReason::pull_in, "");
   pull_in.pull_in = Bracket{0.5, 0.6, 0.55};
-  EXPECT_EQ(disagreement(given, pull_in), "ended otherwise: pull-in");
+  EXPECT_EQ(disagreement(given, pull_in), "ended differently: pull-in");
   EXPECT_EQ(doubt(given, given), "");
   EXPECT_NE(doubt(given, ended(0.62, 3., 2.)).find("2 unstable"), std::string::npos);
 }

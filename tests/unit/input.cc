@@ -110,8 +110,8 @@ TEST(Units, WrongDimensionsAreNamed)
       contains(complaint(Quantity("kV"), "353 K"), "is a temperature but must be a voltage"));
   EXPECT_TRUE(contains(complaint(Quantity("mm"), "3 kPa"), "is a pressure but must be a length"));
   EXPECT_TRUE(contains(complaint(Quantity("mm"), "3 furlong"), "'furlong'"));
-  EXPECT_TRUE(contains(complaint(Quantity("mm"), "3 m^"), "no unit"));
-  EXPECT_TRUE(contains(complaint(Quantity("mm"), "3 (((m"), "no unit"));
+  EXPECT_TRUE(contains(complaint(Quantity("mm"), "3 m^"), "not a unit"));
+  EXPECT_TRUE(contains(complaint(Quantity("mm"), "3 (((m"), "not a unit"));
   EXPECT_TRUE(contains(complaint(Quantity("mm"), "nan"), "not a number"));
   EXPECT_TRUE(contains(complaint(Quantity("mm"), "1e999"), "not a number"));
   EXPECT_TRUE(contains(complaint(Quantity("K", 1.), "-300 degC"), "at least 1"));
