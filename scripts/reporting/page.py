@@ -66,7 +66,7 @@ def bracket(pull_in):
 def ending(run):
     """How a run ended and why; what ends it before its target, as Loading/Until, is a reason."""
     if run.unfinished:
-        return "unfinished; go on with thelma --restart" if run.columns else "not begun"
+        return "unfinished; continue with thelma --restart" if run.columns else "not begun"
     name, reason = run.report.get("outcome"), run.report.get("reason")
     if reason and (name == "target reached" or reason.startswith(name)):
         return reason

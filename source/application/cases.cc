@@ -87,7 +87,7 @@ std::vector<Case> cases_of(const CommandLine& line)
   for (const Sweep& sweep : line.sweeps)
     if (!given.insert(sweep.entry.path()).second)
       throw InputError("command line, --sweep: '" + sweep.entry.path() +
-                       "' is given by another --sweep or --set; give it once");
+                       "' is also given by another --sweep or --set; give it once");
   std::vector<Case> cases;
   std::set<std::string> names;
   for (const auto& changes : combinations(line.sweeps)) {

@@ -106,8 +106,8 @@ void require_consistent(const CommandLine& line)
     throw InputError("command line: --estimate is for a single run; leave out --sweep, or sweep "
                      "over Mesh/Refinements");
   if (line.ranks_per_case > 1 && line.sweeps.empty())
-    throw InputError("command line: --ranks-per-case is for a study; leave it out, a single run "
-                     "shares all ranks, or add --sweep");
+    throw InputError("command line: --ranks-per-case is for a study, a single run uses all ranks; "
+                     "leave it out, or add --sweep");
 }
 
 } // namespace
@@ -140,10 +140,11 @@ CommandLine CommandLine::parse(const std::vector<std::string>& given)
     else if (word == "--output") {
       line.output = value();
       if (line.output.empty())
-        throw InputError("command line, --output: it is empty; write the folder for the results");
+        throw InputError("command line, --output: it is empty; give a folder for the results");
     } else if (word == "--restart")
-      throw InputError("command line: --restart DIR stands alone; the folder knows the scene and "
-                       "the options of its run");
+      throw InputError(
+          "command line: --restart DIR takes no other arguments; the scene and options "
+          "of the run are read from the folder");
     else if (word == "--estimate")
       line.estimates = true;
     else if (word == "--check")
@@ -176,34 +177,34 @@ CommandLine CommandLine::parse(const std::vector<std::string>& given)
 std::string CommandLine::help()
 {
   return R"(thelma [options] FILE.prm
-thelma @STUDY                        the options and the file are lines of the file STUDY
-thelma --restart DIR                 go on with the run or the study in DIR
+thelma @STUDY                        read the options and the file from the lines of STUDY
+thelma --restart DIR                 continue the run or the study in DIR
 Simulates dielectric elastomer actuators: finite deformation, electric field, temperature.
 
   --set "Section/Entry=value"        override an entry; repeatable
   --sweep "Section/Entry=v1,v2,..."  one run per value; repeatable, all combinations; write
-                                     v1; v2; ... where values have commas
-  --ranks-per-case N                 ranks that share a run of a sweep (default 1); as many
-                                     runs as fit go side by side
-  --output DIR                       where results go (default output/<name of FILE>)
-  --restart DIR                      go on with what is in DIR; stands alone
-  --estimate                         run again on finer meshes, in time also with shorter steps, and
-                                     print the error of every number (estimate.csv)
-  --check                            say all that is wrong with the scene, run nothing
-                                     but write the mesh into the output folder (mesh.vtu: regions,
-                                     surfaces, bodies, shape of the cells)
-  --list [WORD]                      known laws, formulations, solvers, observables and units,
-                                     each with its meaning, or those with WORD
-  --defaults [SECTION]               print every entry with its default, unit and meaning, or those
-                                     of a section or with that word in their name
-  --help [WORD], -h, --version       with WORD all that has to do with it
+                                     v1; v2; ... if the values contain commas
+  --ranks-per-case N                 ranks per run of a sweep (default 1); as many runs as
+                                     possible run in parallel
+  --output DIR                       folder for the results (default output/<name of FILE>)
+  --restart DIR                      continue what is in DIR; no other arguments
+  --estimate                         repeat the run on finer meshes and, for transient scenes, with
+                                     shorter steps; print the error of every number (estimate.csv)
+  --check                            report all errors in the scene without running it, and write
+                                     the mesh to the output folder (mesh.vtu: regions, surfaces,
+                                     bodies, shape quality of the cells)
+  --list [WORD]                      list laws, formulations, solvers, observables and units with
+                                     their descriptions, or those that contain WORD
+  --defaults [SECTION]               print every entry with its default, unit and description, or
+                                     those of a section or with that word in their name
+  --help [WORD], -h, --version       with WORD, everything about it
 
-A sweep leaves a folder per run and study.csv, a row per run. Started again, it runs only what is
-not finished or what has changed since.
+A sweep writes a folder per run and study.csv with a row per run. When restarted, it runs only what
+is not finished or has changed.
 
-A run writes a checkpoint every minute (entry Output/Checkpoint interval), and one when Ctrl-C or
-SIGTERM, or SIGUSR1 to mpirun, stops it. After that, kill -9 or a full disk, --restart goes on from
-the newest one, on any number of ranks; without one it begins anew.
+A run writes a checkpoint every minute (entry Output/Checkpoint interval), and when it is stopped by
+Ctrl-C, SIGTERM, or SIGUSR1 to mpirun. After that, kill -9 or a full disk, --restart continues from
+the newest checkpoint, on any number of ranks; without one it starts from the beginning.
 
 Examples
   thelma prm/planar_actuator.prm
@@ -214,13 +215,12 @@ Examples
   mpirun -np 2 thelma --restart output/bending_actuator
 
 Exit codes
-  0  done, and what the file expects came true
-  1  bad input: a sentence for each problem says file, line, section, entry and value, and the
-     remedy
-  2  an expectation of the file failed
+  0  finished, and all expectations in the file are met
+  1  input error: one message per error with file, line, section, entry, value and remedy
+  2  an expectation in the file is not met
   3  no convergence or an unexpected instability; partial results are kept
-  4  stopped, by a signal or because memory or disk is full; go on with --restart
-  70 an error in the program
+  4  stopped by a signal or because memory or disk is full; continue with --restart
+  70 internal error
 The exit code of a sweep is the largest of its runs.
 )";
 }

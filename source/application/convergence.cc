@@ -105,7 +105,7 @@ std::string disagreement(const Outcome& given, const Outcome& other)
 {
   if (other.code == ExitCode::not_converged || given.ended != other.ended ||
       given.pull_in.has_value() != other.pull_in.has_value())
-    return "ended otherwise: " + (other.reason.empty() ? other.name() : other.reason);
+    return "ended differently: " + (other.reason.empty() ? other.name() : other.reason);
   if (ended_at_pull_in(given))
     return "";
   // Of a mirror image what is large has changed its sign, and has about its size.
@@ -126,8 +126,8 @@ std::string doubt(const Outcome& given, const Outcome& other)
   const double *here = find(given, column), *there = find(other, column);
   if (!here || !there || *here == *there)
     return "";
-  return "ended in a state with " + as_text(*there) + " unstable direction(s), not " +
-         as_text(*here) + ", which may lie on another branch";
+  return "ended in a state with " + as_text(*there) + " unstable direction(s) instead of " +
+         as_text(*here) + ", possibly on another branch";
 }
 
 } // namespace thelma

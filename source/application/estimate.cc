@@ -118,7 +118,7 @@ void print(const std::vector<Estimate>& estimates, const bool in_time, std::ostr
     console << "    " << std::left << std::setw(32) << one.result.name << std::right
             << std::setw(15) << std::setprecision(8) << value << std::setprecision(2);
     if (!one.has_limit())
-      console << "  no limit as far as these meshes tell: each adds as much again";
+      console << "  no limit: the differences between these meshes do not decrease";
     else
       console << "  +- " << one.error();
     if (one.has_limit() && std::abs(value) > one.error())
@@ -176,7 +176,7 @@ bool Estimation::repeat(Series& series, const std::string& name, const std::stri
       for (const char* file : {"/run.json", "/used.prm"})
         remove_file(again.folder + file);
     });
-  console << "\nagain " << title << "\n";
+  console << "\nrepeated " << title << "\n";
   const Outcome found = again.run(comm, console);
   was_stopped = found.ended == EndReason::stopped;
   if (was_stopped)
@@ -255,7 +255,7 @@ void Estimation::conclude() const
     estimates.push_back({found[n], in(meshes, n), in(steps, n)});
     estimates.back().time.has_limit = true; // steps can always be shorter
   }
-  console << "\n  error, estimated from meshes of";
+  console << "\n  errors, estimated from meshes of";
   for (const Outcome& one : meshes.runs)
     console << (&one == &meshes.runs.front() ? " " : ", ") << one.cells;
   console << " cells";
@@ -265,10 +265,9 @@ void Estimation::conclude() const
   console << ":\n";
   print(estimates, !steps.runs.empty(), console);
   if (meshes.runs.size() == 2)
-    console
-        << "  the order of convergence was not measured (a third mesh is run where it has few "
-           "unknowns, or where Mesh/Refinements lets cells be twice as large): errors are three "
-           "times the difference of the two meshes\n";
+    console << "  the order of convergence was not measured (a third mesh is used if it has few "
+               "unknowns, or if Mesh/Refinements allows cells of twice the size): errors are three "
+               "times the difference between the two meshes\n";
   on_rank_0(comm, [&]() { write_file(first.folder + "/estimate.csv", table(estimates)); });
 }
 
@@ -289,7 +288,7 @@ Outcome Estimation::run()
   if (done)
     conclude();
   else
-    console << "  no error estimate, as there is nothing to compare\n" << std::flush;
+    console << "  no error estimate, because there is nothing to compare\n" << std::flush;
   return given;
 }
 

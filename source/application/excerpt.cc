@@ -92,7 +92,8 @@ std::string entries_with(const std::string& parameters, const std::string& word)
       std::string where;
       for (const std::string& section : sections)
         where += (where.empty() ? "" : "/") + section;
-      found += "# " + (where.empty() ? "without a section" : where) + "\n" + remarks + line + "\n";
+      found +=
+          "# " + (where.empty() ? "outside of all sections" : where) + "\n" + remarks + line + "\n";
     }
     if (content.rfind('#', 0) == 0 && taken > 0)
       found += line + "\n";

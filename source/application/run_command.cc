@@ -22,8 +22,8 @@ RunCommand RunCommand::read(const std::string& folder)
   std::ifstream file(folder + file_name);
   RunCommand command;
   if (!std::getline(file, command.directory))
-    throw InputError("command line, --restart: in '" + folder +
-                     "' is no run that could go on; start one with --output");
+    throw InputError("command line, --restart: '" + folder +
+                     "' contains no run to continue; start one with --output");
   for (std::string line; std::getline(file, line);)
     command.arguments.push_back(line);
   return command;

@@ -52,7 +52,7 @@ void require_no_study(const MPI_Comm comm, const std::string& folder)
   on_rank_0(comm, [&]() {
     if (std::filesystem::exists(folder + "/study.csv"))
       throw InputError("command line, --output: '" + folder +
-                       "' has a study in it; choose another folder");
+                       "' contains a study; choose another folder");
   });
 }
 
@@ -136,10 +136,10 @@ std::string check_scene(const MPI_Comm comm, const ParameterFile& file, const st
   return with_simulation(comm, file, "", silence(), [&](auto& simulation) {
     simulation.setup(folder);
     std::ostringstream text;
-    text << "no problem found; shape of the worst cell: " << std::setprecision(2)
+    text << "no errors found; shape quality of the worst cell: " << std::setprecision(2)
          << simulation.mesh_shape() << (simulation.mesh_shape() < 0.2 ? ", poor" : "")
          << " (1 is a box); the mesh "
-         << (simulation.has_drawn_mesh() ? "is in " : "cannot be written into ") << folder
+         << (simulation.has_drawn_mesh() ? "is in " : "cannot be written to ") << folder
          << "/mesh.vtu";
     for (const std::string& line : simulation.modelled())
       text << "\n  " << line;

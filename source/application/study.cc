@@ -87,7 +87,7 @@ void look_into(const std::string& folder, const std::vector<Case>& cases)
   std::ifstream table(folder + "/study.csv");
   if (!table && std::filesystem::exists(folder + "/used.prm"))
     throw InputError("command line, --output: '" + folder +
-                     "' has a single run in it; choose another folder");
+                     "' contains a single run; choose another folder");
   std::string line;
   std::getline(table, line);
   unsigned int n_gone = 0;
@@ -99,8 +99,8 @@ void look_into(const std::string& folder, const std::vector<Case>& cases)
       ++n_gone;
   }
   if (n_gone > 0)
-    std::cout << folder << ": cases of an earlier study that leave study.csv: " << n_gone
-              << "; their folders stay" << std::endl;
+    std::cout << folder << ": cases of an earlier study removed from study.csv: " << n_gone
+              << "; their folders are kept" << std::endl;
 }
 
 } // namespace
@@ -112,8 +112,8 @@ Study::Study(const MPI_Comm world, const CommandLine& line)
   const unsigned int ranks = n_mpi_processes(world), wanted = line.ranks_per_case;
   if (wanted > ranks)
     throw InputError("command line, --ranks-per-case: " + std::to_string(wanted) +
-                     " ranks wanted but there are " + std::to_string(ranks) +
-                     "; start with mpirun -np " + std::to_string(wanted) + " or more");
+                     " ranks requested but only " + std::to_string(ranks) +
+                     " available; start with mpirun -np " + std::to_string(wanted) + " or more");
   on_rank_0(world, [&]() {
     look_into(folder, cases);
     create_folder(folder);
@@ -142,7 +142,7 @@ ExitCode Study::run()
     find_unfinished();
     if (this_mpi_process(world) == 0 && unfinished.size() < cases.size())
       std::cout << folder << ": " << cases.size() - unfinished.size() << " of " << cases.size()
-                << " cases are finished already" << std::endl;
+                << " cases are already finished" << std::endl;
     for (const Case* one : unfinished)
       if (claim(*one)) {
         run_case(*one);
@@ -191,7 +191,8 @@ bool Study::claim(const Case& one) const
     const std::string log = one.folder + "/log.txt";
     std::FILE* const created = std::fopen(log.c_str(), "wx"); // fails if the file exists
     if (created == nullptr && errno != EEXIST)
-      throw WriteError("cannot write '" + log + "'; choose another --output folder or make room");
+      throw WriteError("cannot write '" + log +
+                       "'; choose another --output folder or free disk space");
     is_mine = created != nullptr;
     if (is_mine)
       std::fclose(created);
@@ -206,7 +207,7 @@ void Study::run_case(const Case& one) const
   if (is_leader)
     log.open(one.folder + "/log.txt");
   if (is_leader && !log)
-    throw WriteError("cannot write '" + one.folder + "/log.txt'; make room");
+    throw WriteError("cannot write '" + one.folder + "/log.txt'; free disk space");
   Outcome failure;
   try {
     run_scene(group, one.file, one.folder, log, Begin::resumed_if_same,

@@ -75,7 +75,7 @@ std::string answer(const std::function<std::string()>& action)
 
 std::string reason(const int status)
 {
-  return WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : "it exited, or had not enough memory";
+  return WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : "it exited or ran out of memory";
 }
 
 } // namespace

@@ -16,7 +16,7 @@ std::string reason(const std::string& noise)
   std::smatch message;
   const bool found =
       std::regex_search(noise, message, std::regex("Message: +<?([^\n]+?)\\.?>? *\n"));
-  return found ? message[1].str() : "it is no formula";
+  return found ? message[1].str() : "invalid expression";
 }
 
 } // namespace

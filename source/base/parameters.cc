@@ -45,7 +45,8 @@ std::string in_words(const std::string& pattern)
     return "one of " + comma_separated(known);
   const std::string length = " of length \\d+\\.\\.\\.(\\d+) ";
   if (std::regex_search(pattern, found, std::regex("^\\[Map of <.*>:<(.*)>" + length)))
-    return "`name: value`" + std::string(found[2] == "1" ? "" : " or several with commas between") +
+    return "`name: value`" +
+           std::string(found[2] == "1" ? "" : ", or several separated by commas") +
            each_value(found[1]);
   if (std::regex_search(pattern, found, std::regex("^\\[List of <(.*)>" + length)))
     return "a list of at most " + found[2].str() + each_value(found[1]);
@@ -135,7 +136,7 @@ Override Override::parse(const std::string& text)
   if (result.value.find('#') != std::string::npos)
     throw InputError("command line: '" + text +
                      "' has a '#', which begins a comment in parameter "
-                     "files; write it without");
+                     "files; write the value without it");
   result.sections = dealii::Utilities::split_string_list(text.substr(0, equals), '/');
   result.entry = result.sections.back();
   result.sections.pop_back();
@@ -163,12 +164,12 @@ ParameterFile::ParameterFile(std::string file, const std::vector<Override>& over
     throw InputError(path +
                      ": this is a geometry, not a parameter file; name it in a .prm, in the "
                      "section Mesh as `set File = " +
-                     std::filesystem::path(path).filename().string() + "`, and give that");
+                     std::filesystem::path(path).filename().string() + "`, and run that");
   if (!stream || !(content << stream.rdbuf() || std::filesystem::is_empty(path, ignored)))
     throw InputError(path + ": cannot read this parameter file; give the path of an existing .prm");
   const std::string start = content.str().substr(0, 2);
   if (start == "\xFF\xFE" || start == "\xFE\xFF")
-    throw InputError(path + ": this text is UTF-16; save it as UTF-8");
+    throw InputError(path + ": this file is UTF-16; save it as UTF-8");
   statements = Statements(content.str());
   for (const Override& change : overrides)
     statements.entries.push_back({0, change.sections, change.entry, change.value});
@@ -222,9 +223,9 @@ void ParameterFile::read(dealii::ParameterHandler& prm) const
     const auto [first, is_new] =
         first_set.emplace(std::pair(statement.sections, statement.entry), statement.line);
     if (statement.line > 0 && !is_new)
-      complain(statement.line, where + ", entry '" + statement.entry + "': it is set on line " +
-                                   std::to_string(first->second) +
-                                   " already; remove one of the two");
+      complain(statement.line, where + ", entry '" + statement.entry +
+                                   "': it is already set on line " + std::to_string(first->second) +
+                                   "; remove one of the two");
     if (const std::string unknown = unknown_section(declared, statement.sections);
         !unknown.empty()) {
       if (statement.line == 0)

@@ -112,14 +112,14 @@ double Quantity::value(const std::string& written) const
     const Unit wanted = *Unit::parse(unit);
     const std::optional<Unit> found = Unit::parse(given.unit);
     if (!found)
-      throw InputError("'" + given.unit + "' in '" + text + "' is no unit; write it as " + example +
-                       "; known units: " + known_units());
+      throw InputError("'" + given.unit + "' in '" + text + "' is not a unit; write it as " +
+                       example + "; known units: " + known_units());
     if (found->dimension != wanted.dimension)
       throw InputError("'" + text + "' is " + name_of_dimension(found->dimension) +
                        " but must be " + name_of_dimension(wanted.dimension) + "; write it as " +
                        example);
     if (is_difference && found->zero != 0.)
-      throw InputError("'" + text + "' must be a difference of temperatures; write it in K");
+      throw InputError("'" + text + "' must be a temperature difference; write it in K");
     number = converted(number, *found, wanted);
   }
   if (number < smallest || number > largest)

@@ -71,14 +71,14 @@ void check_surroundings(int, char**, char** environment)
     const std::size_t n = std::strlen(threads);
     if (n == 0 || n > 6 || std::strspn(threads, "0123456789") != n || std::atoi(threads) == 0)
       refuse(environment,
-             "thelma: the environment variable DEAL_II_NUM_THREADS is no number of threads; write "
-             "1, or remove it\n");
+             "thelma: the environment variable DEAL_II_NUM_THREADS is not a number of threads; set "
+             "it to 1, or unset it\n");
   }
   char folder[65536];
   if (getcwd(folder, sizeof(folder)) == nullptr)
     refuse(environment,
-           "thelma: the working folder cannot be found, perhaps because it has been deleted; go to "
-           "another one\n");
+           "thelma: the working directory cannot be found, perhaps because it was deleted; change "
+           "to another one\n");
 }
 
 /// Before any library's own.

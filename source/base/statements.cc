@@ -66,8 +66,8 @@ Statements::Statements(const std::string& text)
       add(first, line);
   }
   if (!begun.empty())
-    problems.push_back({first, "the last line ends in `\\`, so that something is missing; remove "
-                               "it or write the rest"});
+    problems.push_back({first, "the last line ends in `\\`, so its continuation is missing; "
+                               "remove the `\\` or complete the line"});
   for (const OpenedSection& section : open)
     problems.push_back({section.line, "the subsection '" + section.path.back() +
                                           "' is not closed; write `end` after its last entry"});

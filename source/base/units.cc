@@ -148,7 +148,7 @@ std::string known_units()
   std::vector<std::string> known{"degC"};
   for (const auto& entry : symbols())
     known.push_back(entry.first);
-  return comma_separated(known) + ", with prefixes from f to G, and products of them as W/(m K)";
+  return comma_separated(known) + ", with prefixes from f to G, and products such as W/(m K)";
 }
 
 std::string name_of_dimension(const Dimension& dimension)
@@ -169,11 +169,11 @@ std::string name_of_dimension(const Dimension& dimension)
       {"F", "a capacitance"},
       {"F/m", "a permittivity"},
       {"V/m", "an electric field"},
-      {"1/K", "a thermal expansion"},
+      {"1/K", "a thermal expansion coefficient"},
       {"J/(m^3 K)", "a heat capacity per volume"},
       {"W/(m K)", "a conductivity"},
       {"W/m^2", "a heat flux"},
-      {"W/(m^2 K)", "a coefficient of convection"},
+      {"W/(m^2 K)", "a heat transfer coefficient"},
       {"W/m^3", "a heat source"}};
   for (const auto& [unit, name] : names)
     if (Unit::parse(unit)->dimension == dimension)
@@ -198,7 +198,7 @@ NumberWithUnit::NumberWithUnit(const std::string& text, const std::string& examp
     throw InputError("'" + text + "' is not a number; write it as " + example);
   unit = dealii::Utilities::trim(parts[2].str());
   if (!unit.empty() && unit[0] == ',')
-    throw InputError("'" + text + "' has a comma; write a decimal point and one number, as " +
+    throw InputError("'" + text + "' has a comma; write a single number with a decimal point, as " +
                      example);
 }
 

@@ -11,8 +11,9 @@ namespace thelma
 std::string other_wording(const std::string& entry)
 {
   const std::string modulus = "write `Shear modulus`, which is E/(2 (1 + nu)) of Young's modulus E",
-                    ratio = "write `Poisson ratio` beside `Shear modulus`",
-                    permittivity = "write `Permittivity`, the relative one times 8.8542e-12 F/m",
+                    ratio = "write `Poisson ratio` in addition to `Shear modulus`",
+                    permittivity =
+                        "write `Permittivity`, the relative permittivity times 8.8542e-12 F/m",
                     voltage = "write `Target` in the section Loading, with `Control = voltage`";
   static const std::vector<std::pair<std::regex, std::string>> known{
       {std::regex("(young('?s)? modulus|elastic modulus|e)", std::regex::icase), modulus},
@@ -23,7 +24,7 @@ std::string other_wording(const std::string& entry)
       {std::regex("(relative permittivity|dielectric constant|eps.*)", std::regex::icase),
        permittivity},
       {std::regex("(applied )?voltage", std::regex::icase), voltage},
-      {std::regex("density|rho", std::regex::icase), "leave it out, as there is no inertia"},
+      {std::regex("density|rho", std::regex::icase), "remove it, because there is no inertia"},
       {std::regex("(electrode distance|thickness)", std::regex::icase),
        "write `Film thickness` in the section Loading"}};
   for (const auto& [form, remedy] : known)

@@ -73,7 +73,7 @@ void MaterialLibrary::declare_regions(dealii::ParameterHandler& prm)
   using namespace dealii::Patterns;
   const Section section(prm, {"Regions"});
   prm.add_parameter("Materials", material_of_region,
-                    "Which material fills each region (a physical group of the mesh), as "
+                    "Material of each region (a physical group of the mesh), as "
                     "`region: material, region: material`.",
                     Map(Anything(), Anything(), 0, 100));
 }
@@ -127,8 +127,7 @@ void MaterialLibrary::check(const double theta)
     if (relative < 1.)
       throw InputError("section Materials/" + name + ", entry 'Permittivity': the value is " +
                        as_text(relative) + " times that of vacuum" + at +
-                       ", but no material has less than that; write it in N/kV^2, or with its "
-                       "unit F/m");
+                       ", less than in any material; write it in N/kV^2, or with its unit F/m");
   }
 }
 
@@ -154,7 +153,7 @@ std::vector<std::string> MaterialLibrary::summary(const double theta) const
         entry.dielectric + " dielectric, mu " + as_text(entry.material->shear_modulus(theta)) +
         " MPa, K " + as_text(entry.material->thermal.K) + " MPa, eps " +
         as_text(entry.material->permittivity(theta)) + " N/kV^2" +
-        (entry.has_section ? "" : "; all by default, as there is no section Materials/" + name));
+        (entry.has_section ? "" : "; all defaults, because there is no section Materials/" + name));
   }
   return lines;
 }
@@ -169,8 +168,8 @@ std::vector<std::string> MaterialLibrary::doubts() const
     if (ratio < softest || ratio > hardest)
       sentences.push_back("warning: the bulk modulus of " + name + " is " + as_text(ratio) +
                           " times its shear modulus, " +
-                          (ratio < softest ? "which is a foam's" : "which costs accuracy") +
-                          "; rubber has 1000 or so (Materials/" + name +
+                          (ratio < softest ? "typical of a foam" : "which reduces accuracy") +
+                          "; rubber has about 1000 (Materials/" + name +
                           "/Bulk over shear modulus)");
   }
   return sentences;
@@ -182,8 +181,8 @@ double MaterialLibrary::reference_temperature() const
   for (const auto& [name, entry] : materials)
     if (entry.material->thermal.theta_0 != theta_0)
       throw InputError("section Materials/" + name +
-                       ", entry 'Reference temperature': all materials need the same one, since "
-                       "the scene starts from it");
+                       ", entry 'Reference temperature': all materials need the same one, from "
+                       "which the scene starts");
   return theta_0;
 }
 
@@ -193,7 +192,7 @@ const Material& MaterialLibrary::of_region(const std::string& region) const
   if (found == material_of_region.end())
     throw InputError(
         "section Regions, entry 'Materials': the region '" + region +
-        "' of the mesh has no material; regions named there: " + comma_separated(regions()));
+        "' of the mesh has no material; regions with a material: " + comma_separated(regions()));
   return *materials.at(found->second).material;
 }
 

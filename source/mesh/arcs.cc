@@ -42,12 +42,12 @@ void require_arcs(const WholeMesh<dim>& mesh, const std::string& around)
       const double r = a.norm(), R = b.norm();
       if (std::min(r, R) <= rounding * std::max(r, R))
         throw InputError(place + "the node at " + at(r < R ? from : to) +
-                         " lies in the middle of the arcs " + around +
+                         " is at the centre of the arcs " + around +
                          "; leave a hole there, or write `nowhere`");
       if (std::abs(R - r) > rounding * R && (a / r - b / R).norm() > rounding)
-        throw InputError(place + "the edge from " + at(from) + " to " + at(to) + " is no arc " +
-                         around + ", as its ends have the radii " + as_text(r) + " and " +
-                         as_text(R) + "; draw cells along arcs, or write `nowhere`");
+        throw InputError(place + "the edge from " + at(from) + " to " + at(to) + " is not an arc " +
+                         around + ", because its ends have the radii " + as_text(r) + " and " +
+                         as_text(R) + "; align the cells with arcs, or write `nowhere`");
     }
 }
 

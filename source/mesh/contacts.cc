@@ -177,11 +177,11 @@ std::vector<std::string> contacts(const WholeMesh<dim>& mesh)
     return "'" + mesh.region_of_part(parts.first) + "' and '" + mesh.region_of_part(parts.second) +
            "'";
   };
-  const std::string remedy = ", so that nothing passes from one to the other; weld them in the "
-                             "geometry (Coherence, BooleanFragments, Coherence Mesh)";
+  const std::string remedy = ", so the two are not connected; merge them in the geometry "
+                             "(Coherence, BooleanFragments, Coherence Mesh)";
   for (const auto& [parts, n] : coincident)
     sentences.push_back("warning: " + std::to_string(n) + " nodes of " + names(parts) +
-                        " lie upon each other but are not the same" + remedy);
+                        " coincide but are not shared" + remedy);
   if (mesh.n_bodies() > 1)
     for (const Pair& parts : touching_parts(mesh, tolerance))
       if (coincident.count(parts) == 0)

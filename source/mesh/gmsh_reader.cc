@@ -61,7 +61,7 @@ std::string damage(const std::string& file)
   stream.read(start.data(), 3);
   if (start == "\xEF\xBB\xBF" || start.substr(0, 2) == "\xFF\xFE" ||
       start.substr(0, 2) == "\xFE\xFF")
-    return "; it begins with a byte order mark, save it as plain UTF-8 without one";
+    return "; it begins with a byte order mark; save it as plain UTF-8 without one";
   if (std::filesystem::path(file).extension() == ".msh")
     return "; save it again from gmsh, with decimal points";
   return "";
@@ -78,7 +78,7 @@ void open(const std::string& file, const std::string& entry)
   }
   if (!problem.empty())
     throw InputError("section Mesh, entry '" + entry + "': gmsh cannot read '" + file +
-                     (entry == "File" ? "': " : "' with these: ") + problem +
+                     (entry == "File" ? "': " : "' with these parameters: ") + problem +
                      (entry == "File" ? damage(file) : ""));
 }
 
@@ -91,8 +91,8 @@ void require_memory(const unsigned int refinements, const int dim)
   gmsh::option::getNumber(dim == 3 ? "Mesh.NbHexahedra" : "Mesh.NbQuadrangles", n_coarse);
   const double n_cells = n_coarse * std::pow(2., dim * static_cast<double>(refinements));
   if (n_cells * bytes_per_cell > machine_memory())
-    throw InputError("section Mesh, entry 'Refinements': " + as_text(n_coarse) + " cells halved " +
-                     std::to_string(refinements) + " times are " + as_text(n_cells) +
+    throw InputError("section Mesh, entry 'Refinements': halving " + as_text(n_coarse) + " cells " +
+                     std::to_string(refinements) + " times gives " + as_text(n_cells) +
                      ", too many for the memory of this machine (" +
                      as_text(std::round(machine_memory() / 1e9)) + " GB); refine less");
 }
@@ -104,7 +104,7 @@ double scaling_factor(const std::string& file)
   gmsh::option::getNumber("Mesh.ScalingFactor", factor);
   if (!(factor > 0.) || !std::isfinite(factor))
     throw InputError("section Mesh, entry 'File': '" + file + "' sets Mesh.ScalingFactor to " +
-                     as_text(factor) + "; write a positive number, by which lengths become mm");
+                     as_text(factor) + "; write a positive number that converts lengths to mm");
   return factor;
 }
 
@@ -161,12 +161,12 @@ void require_dimension(const std::string& file, const int dim)
   const bool is_solid = gmsh::model::getDimension() == 3;
   if (dim == 2 && is_solid)
     throw InputError("section Mesh, entry 'File': '" + file +
-                     "' has volumes, but the scene is plane; write `set Dimension = 3`");
+                     "' has volumes, but the scene is two-dimensional; write `set Dimension = 3`");
   std::vector<int> types;
   gmsh::model::mesh::getElementTypes(types);
   if (types.empty())
     throw InputError("section Mesh, entry 'File': '" + file +
-                     "' has no cells; draw some, or save the mesh again");
+                     "' has no cells; mesh it, or save the mesh again");
   gmsh::vectorpair groups;
   gmsh::model::getPhysicalGroups(groups, dim);
   const auto is_region = [](const std::pair<int, int>& group) {
@@ -176,10 +176,10 @@ void require_dimension(const std::string& file, const int dim)
   };
   if (std::none_of(groups.begin(), groups.end(), is_region))
     throw InputError("section Mesh, entry 'File': '" + file + "' has no named physical " +
-                     (dim == 2   ? "surface to be a region; name one"
-                      : is_solid ? "volume to be a region; name one"
-                                 : "volume to be a region, as it is plane; write `set Dimension = "
-                                   "2` for plane strain, or extrude it"));
+                     (dim == 2   ? "surface as a region; name one"
+                      : is_solid ? "volume as a region; name one"
+                                 : "volume as a region, because it is two-dimensional; write `set "
+                                   "Dimension = 2` for plane strain, or extrude it"));
 }
 
 /// The plane is that of x1 and x3.
@@ -193,8 +193,8 @@ void require_plane(const std::string& file, const CoarseMesh& mesh)
   }
   if (depth > 1e-9 * size)
     throw InputError("section Mesh, entry 'File': '" + file +
-                     "' leaves the plane of x1 and x3, in which a scene of Dimension = 2 lies; "
-                     "draw it with the second coordinate 0");
+                     "' leaves the plane of x1 and x3, to which Dimension = 2 is restricted; set "
+                     "the second coordinate to 0");
 }
 
 CoarseMesh read_here(const std::string& file, const std::map<std::string, double>& parameters,
@@ -220,8 +220,8 @@ CoarseMesh read_here(const std::string& file, const std::map<std::string, double
     for (std::size_t d = 3 * i; d < 3 * i + 3; ++d)
       if (!std::isfinite(coordinates[d] *= scale))
         throw InputError("section Mesh, entry 'File': node " + std::to_string(tags[i]) + " of '" +
-                         file + "' lies at x" + std::to_string(d % 3 + 1) + " = " +
-                         as_text(coordinates[d]) + "; write a number there");
+                         file + "' has the coordinate x" + std::to_string(d % 3 + 1) + " = " +
+                         as_text(coordinates[d]) + "; write a finite number");
     mesh.vertices.push_back({{coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]}});
   }
   mesh.groups = read_physical_groups(file, dim, index);
@@ -241,7 +241,7 @@ CoarseMesh read_gmsh(const std::string& file, const std::map<std::string, double
   std::error_code unreachable;
   if (!std::filesystem::is_regular_file(file, unreachable))
     throw InputError("section Mesh, entry 'File': there is no file '" + file +
-                     "'; give a path from the working directory or from the parameter file");
+                     "'; give a path relative to the working directory or the parameter file");
   const auto pack = [&]() {
     const CoarseMesh mesh = read_here(file, parameters, refinements, dim, around);
     std::ostringstream stream;
@@ -251,7 +251,7 @@ CoarseMesh read_gmsh(const std::string& file, const std::map<std::string, double
   std::istringstream packed(
       in_child_process(pack, machine_memory() / 2.,
                        "section Mesh, entry 'File': gmsh fails on '" + file +
-                           "'; mend the geometry or its parameters, or choose fewer cells"));
+                           "'; correct the geometry or its parameters, or use fewer cells"));
   CoarseMesh mesh;
   boost::archive::binary_iarchive(packed) >> mesh;
   return mesh;

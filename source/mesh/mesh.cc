@@ -24,28 +24,28 @@ void Mesh<dim>::declare(dealii::ParameterHandler& prm)
   const Section section(prm, {"Mesh"});
   prm.add_parameter(
       "File", file,
-      "A gmsh geometry (.geo) or mesh (.msh) in mm, with named physical groups; looked "
-      "up from the working directory, then from the parameter file.",
+      "A gmsh geometry (.geo) or mesh (.msh) in mm, with named physical groups; the path is "
+      "relative to the working directory or else to the parameter file.",
       Anything());
   add_quantity(prm, "Parameters", parameters,
-               "Values for the geometry's parameters, as `L1: 5, n1: 2`; of numbers without unit "
-               "too.",
+               "Values of the geometry's parameters, such as `L1: 5, n1: 2`, dimensionless ones "
+               "included.",
                Quantity("mm"));
   prm.add_parameter("Refinements", refinements,
-                    "How often every cell is halved in each direction after meshing.",
+                    "Number of times that every cell is halved in each direction after meshing.",
                     Integer(0, 20));
   prm.add_parameter("Curved", curved,
-                    "Where edges between vertices are arcs: `nowhere`, or all of them `around x2`, "
-                    "the axis of a tube (or x1 or x3, in space), or `around the origin`, the "
-                    "centre of a sphere. Edges straight away from it are straight.",
+                    "Whether edges between vertices are arcs: `nowhere`, or all of them `around "
+                    "x2`, the axis of a tube (in 3-D also x1 or x3), or `around the origin`, the "
+                    "centre of a sphere. Radial edges are straight.",
                     Selection("nowhere|around x1|around x2|around x3|around the origin"));
   add_quantity(prm, "Imperfection", imperfection,
-               "Amplitude of the displacement of the vertices before the calculation starts, so "
-               "that the body leaves an unstable straight path.",
+               "Amplitude of the initial displacement of the vertices, a geometric imperfection "
+               "that makes the body leave an unstable straight path.",
                Quantity("mm"));
   prm.add_parameter("Imperfection shape", imperfection_shape,
-                    "Its three components as muParser expressions of x1, x2, x3 in mm, as `(1 - "
-                    "cos(2*pi*x3/20))/2; 0; 0`; multiplied by the amplitude.",
+                    "Its three components as muParser expressions of x1, x2, x3 in mm, such as `(1 "
+                    "- cos(2*pi*x3/20))/2; 0; 0`; multiplied by the amplitude.",
                     List(Anything(), 0, 3, ";"));
 }
 
@@ -56,7 +56,7 @@ void Mesh<dim>::read(const std::string& folder, const Look& look)
     throw InputError("section Mesh, entry 'File': it is empty or missing; write `set File = "
                      "NAME.geo`");
   if (dim == 2 && (curved == "around x1" || curved == "around x3"))
-    throw InputError("section Mesh, entry 'Curved': in the plane of x1 and x3 arcs are " +
+    throw InputError("section Mesh, entry 'Curved': in the x1-x3 plane arcs are " +
                      std::string("`around x2`, not `") + curved + "`");
   WholeMesh<dim> whole;
   on_rank_0(communicator(), [&]() {

@@ -77,8 +77,9 @@ void require_one_group_a_name(const std::string& file)
   for (const auto& names : {names_of_msh(file), names_of_model()})
     for (const auto& [name, groups] : names)
       if (groups.size() > 1)
-        complaints.add(place + "'" + file + "' gives one name, '" + name + "', to the physical " +
-                       listed(groups) + "; give each its own, or make them one group");
+        complaints.add(place + "'" + file + "' gives the same name, '" + name +
+                       "', to the physical " + listed(groups) +
+                       "; give each its own name, or merge them into one group");
   complaints.raise();
 }
 
@@ -155,10 +156,10 @@ std::string remedy(const PhysicalGroup& group, const int type)
   if (order > 1)
     return "mesh it with order 1 (Mesh.ElementOrder = 1; gmsh -order 1)";
   return group.dimension == 3
-             ? "mesh it with transfinite or extruded volumes and Recombine, or cut tetrahedra into "
-               "hexahedra by Mesh.SubdivisionAlgorithm = 2"
-             : "mesh it with Recombine Surface or Mesh.RecombineAll = 1, or cut triangles into "
-               "quadrilaterals by Mesh.SubdivisionAlgorithm = 1";
+             ? "mesh it with transfinite or extruded volumes and Recombine, or subdivide "
+               "tetrahedra into hexahedra with Mesh.SubdivisionAlgorithm = 2"
+             : "mesh it with Recombine Surface or Mesh.RecombineAll = 1, or subdivide triangles "
+               "into quadrilaterals with Mesh.SubdivisionAlgorithm = 1";
 }
 
 void read_elements(PhysicalGroup& group, const int tag,
@@ -186,7 +187,7 @@ void read_elements(PhysicalGroup& group, const int tag,
           if (found == index.end())
             throw InputError(place + "an element of '" + group.name + "' has the node " +
                              std::to_string(nodes[t][v]) +
-                             ", which the file does not have; save the mesh again");
+                             ", which is missing in the file; save the mesh again");
           group.elements.back().push_back(found->second);
         }
       }
@@ -199,7 +200,7 @@ void require_cells(const std::string& file, const PhysicalGroup& region)
   if (region.elements.empty())
     throw InputError(place + "the region '" + region.name + "' of '" + file +
                      "' has no cells; mesh it in " + (region.dimension == 3 ? "three" : "two") +
-                     " dimensions (in a .geo without `Mesh` commands that is done here)");
+                     " dimensions (this is automatic for a .geo without `Mesh` commands)");
 }
 
 } // namespace

@@ -90,8 +90,8 @@ void require_neighbours(const std::vector<dealii::CellData<dim>>& cells)
           cells_of_face[sorted_vertices<dim>(cell, face_vertices<dim>(f))];
       if (owners.size() == 2 || std::find(owners.begin(), owners.end(), all) != owners.end())
         throw InputError(
-            "section Mesh, entry 'File': cells lie upon each other, more than two share "
-            "a face; every cell belongs to one named region, once");
+            "section Mesh, entry 'File': cells overlap, more than two share a face; assign every "
+            "cell to one named region, once");
       owners.push_back(all);
     }
   }
@@ -183,7 +183,7 @@ void WholeMesh<dim>::displace(const double amplitude, const std::vector<std::str
 {
   const std::string place = "section Mesh, entry 'Imperfection shape'";
   if (expressions.size() != 3)
-    throw InputError(place + ": an imperfection needs three expressions with ';' between them, " +
+    throw InputError(place + ": an imperfection needs three expressions separated by ';', " +
                      std::to_string(expressions.size()) + " given");
   const std::vector<dealii::Point<dim>> perfect = vertices;
   for (int c = 0; c < dim; ++c) {
@@ -197,7 +197,7 @@ void WholeMesh<dim>::displace(const double amplitude, const std::vector<std::str
   }
   check_shapes("section Mesh, entry 'Imperfection': the amplitude of " +
                dealii::Patterns::Tools::to_string(amplitude) +
-               " mm turns a cell inside out; choose a smaller one or a smoother shape");
+               " mm inverts a cell; choose a smaller one or a smoother shape");
 }
 
 /// Where it is 1 a cell is a box, where 0 it is flat.
@@ -240,10 +240,10 @@ void WholeMesh<dim>::check_shapes(const std::string& complaint)
                          ? complaint
                          : "section Mesh, entry 'File': " + std::to_string(n_bad) + " of " +
                                std::to_string(cells.size()) +
-                               " cells are flat or turned inside out, one of them in the region '" +
+                               " cells are flat or inverted, one of them in the region '" +
                                known.regions[bad->material_id] + "' at " +
                                dealii::Patterns::Tools::to_string(vertices[bad->vertices[0]]) +
-                               " mm; mend the geometry or its parameters");
+                               " mm; correct the geometry or its parameters");
 }
 
 template <int dim>

@@ -18,10 +18,9 @@ public:
   void declare(dealii::ParameterHandler& prm) override
   {
     add_quantity(prm, "Breakdown field", breakdown,
-                 "Electric field of the deformed body that the material stands. An acrylic of "
-                 "deformed thickness h (mm) and in-plane stretch lambda stands 51 h^-0.25 "
-                 "lambda^0.63 (Huang et al. 2012, doi:10.1063/1.4754549); the default is that of "
-                 "1 mm, not stretched.",
+                 "True electric field at which the material breaks down. For acrylic of deformed "
+                 "thickness h (mm) and in-plane stretch lambda it is 51 h^-0.25 lambda^0.63 (Huang "
+                 "et al. 2012, doi:10.1063/1.4754549); the default is that of 1 mm, not stretched.",
                  Quantity("kV/mm", 1e-12));
   }
 

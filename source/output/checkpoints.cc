@@ -69,7 +69,7 @@ void Checkpoints::write(const std::string& content)
   if (!written || error) {
     std::filesystem::remove(temporary, error);
     throw WriteError("cannot write the checkpoint '" + file +
-                     "'; make room, the one before it is kept");
+                     "'; free disk space, the previous one is kept");
   }
   flush(folder);
   newest = number;

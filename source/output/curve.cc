@@ -34,7 +34,8 @@ void write_file(const std::string& file, const std::string& content)
     std::filesystem::rename(temporary, file, error);
   if (!stream || error) {
     std::filesystem::remove(temporary, error);
-    throw WriteError("cannot write '" + file + "'; choose another --output folder or make room");
+    throw WriteError("cannot write '" + file +
+                     "'; choose another --output folder or free disk space");
   }
 }
 
@@ -50,7 +51,8 @@ bool append_to_file(const std::string& file, const std::string& text)
   const bool undone = done || ftruncate(descriptor, size) == 0;
   ::close(descriptor);
   if (!undone)
-    throw WriteError("cannot write '" + file + "'; choose another --output folder or make room");
+    throw WriteError("cannot write '" + file +
+                     "'; choose another --output folder or free disk space");
   return done;
 }
 

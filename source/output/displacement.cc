@@ -16,7 +16,7 @@ public:
 
   void declare(dealii::ParameterHandler& prm) override
   {
-    prm.add_parameter("At", group, "Point, line or surface whose mean displacement is wanted.");
+    prm.add_parameter("At", group, "Point, line or surface whose mean displacement is reported.");
   }
 
   void setup(const Scene<dim>& scene) override

@@ -129,7 +129,7 @@ std::string describe_field(const Scene<dim>& scene)
   std::ostringstream text;
   text.precision(4);
   text << "largest true field e_true = " << dealii::Utilities::MPI::max(largest, comm)
-       << ", thinnest stretch along the field " << dealii::Utilities::MPI::min(thinnest, comm);
+       << ", smallest stretch along the field " << dealii::Utilities::MPI::min(thinnest, comm);
   return text.str();
 }
 

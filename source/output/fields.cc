@@ -145,8 +145,8 @@ void FieldWriter<dim>::declare(dealii::ParameterHandler& prm)
   OptionNames<Frequency>(
       {{"every", Frequency::every}, {"last", Frequency::last}, {"none", Frequency::none}})
       .declare(prm, "Fields", frequency,
-               "For which accepted steps the fields are written as VTU, a file for every 16 "
-               "ranks: `every`, `last` or `none`.");
+               "Accepted steps whose fields are written as VTU, one file per 16 ranks: `every`, "
+               "`last` or `none`.");
 }
 
 template <int dim>

@@ -22,7 +22,7 @@ FolderLock::FolderLock(const std::string& folder)
     if (i == tries) {
       close(descriptor);
       throw InputError("command line, --output: another run writes into '" + folder +
-                       "'; wait for its end, or choose another folder");
+                       "'; wait until it ends, or choose another folder");
     }
     std::this_thread::sleep_for(pause);
   }

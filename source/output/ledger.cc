@@ -25,8 +25,8 @@ public:
   {
     if (scene.layout.has(Field::temperature) && !scene.layout.has_transient_temperature())
       throw InputError(
-          "section Output, entry 'Observables': the ledger has no end where heat flows "
-          "for ever; leave it out, or set Temperature/Model = uniform or transient");
+          "section Output, entry 'Observables': the ledger is not available with a steady "
+          "temperature field; leave it out, or set Temperature/Model = uniform or transient");
     rule.emplace(scene.layout, scene.layout.degree() + 1);
     theta_0 = scene.materials.reference_temperature();
   }

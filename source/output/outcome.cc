@@ -36,7 +36,8 @@ void Expectations::declare(dealii::ParameterHandler& prm)
                     "Expected values in the last row of the curve, as `column: expression`; an "
                     "expression may contain theta, the temperature in K.",
                     Map(Anything(), Anything(), 0, 100));
-  prm.add_parameter("Relative tolerance", tolerance, "Of the expected values.", Double(0., 1.));
+  prm.add_parameter("Relative tolerance", tolerance, "Relative tolerance of the expected values.",
+                    Double(0., 1.));
 }
 
 void Expectations::setup(const std::vector<std::string>& columns, const double theta)
@@ -51,7 +52,7 @@ void Expectations::setup(const std::vector<std::string>& columns, const double t
     if (!std::isfinite(expected[column]))
       throw InputError(place + ", " + column + ": '" + expression + "' is " +
                        as_text(expected[column]) + " at " + as_text(theta) +
-                       " K; write what is a number there");
+                       " K; write an expression that is finite there");
   }
 }
 

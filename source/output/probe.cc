@@ -15,7 +15,7 @@ public:
   void declare(dealii::ParameterHandler& prm) override
   {
     prm.add_parameter("At", group,
-                      "Point, line or surface whose mean potential and temperature are wanted.");
+                      "Point, line or surface whose mean potential and temperature are reported.");
   }
 
   void setup(const Scene<dim>& scene) override

@@ -23,9 +23,9 @@ public:
   {
     prm.add_parameter(
         "At", group,
-        "Support whose force on the body is wanted, in N (in plane strain N per mm of depth), in "
-        "the directions that it holds; of a surface, line or point that is no support the force "
-        "of all supports on its nodes.");
+        "Support whose force on the body is reported, in N (in plane strain N per mm of depth), in "
+        "the directions that it holds; for a surface, line or point that is not a support, the "
+        "force of all supports on its nodes.");
   }
 
   void setup(const Scene<dim>& scene) override
@@ -86,9 +86,9 @@ private:
       const bool meet = std::any_of(dofs[c].begin(), dofs[c].end(),
                                     [&](const auto dof) { return theirs.count(dof) > 0; });
       if (other != group && meet)
-        shared.push_back("reaction_f" + number + "_N contains what '" + other +
-                         "', too, holds in the direction u" + number +
-                         " at the nodes it shares with '" + group + "'");
+        shared.push_back("reaction_f" + number + "_N includes the force of '" + other +
+                         "', which also holds u" + number + " at the nodes it shares with '" +
+                         group + "'");
     }
   }
 

@@ -65,7 +65,7 @@ void Results<dim>::declare(dealii::ParameterHandler& prm)
   {
     const Section section(prm, {"Output"});
     prm.add_parameter("Observables", observed_names,
-                      "Columns of curve.csv beside the load; known: " +
+                      "Columns of curve.csv in addition to the load; known: " +
                           comma_separated(observables<dim>().names()) + ".");
     prm.add_action("Observables", [](const std::string& names) {
       std::set<std::string> distinct;
@@ -76,8 +76,8 @@ void Results<dim>::declare(dealii::ParameterHandler& prm)
       }
     });
     add_quantity(prm, "Checkpoint interval", checkpoint_interval,
-                 "At least so long lies between two checkpoints, from which a run that was killed "
-                 "goes on; 0: one after every step.",
+                 "Shortest time between two checkpoints, from which a killed run can continue; 0: "
+                 "one after every step.",
                  Quantity("s", 0.));
   }
   fields.declare(prm);
@@ -178,7 +178,7 @@ std::optional<std::string> Results<dim>::read_checkpoint(const std::vector<std::
     if (content && !is_younger(checkpoints.newest_file(), inputs))
       content.reset();
     for (const std::string& file : damaged)
-      console << "  the checkpoint '" << file << "' is damaged and left out\n";
+      console << "  the checkpoint '" << file << "' is damaged and ignored\n";
   });
   if (!dealii::Utilities::MPI::broadcast(comm, content.has_value()))
     return {};
@@ -255,8 +255,7 @@ void Results<dim>::print_step(const Scene<dim>& scene, const PathPoint& point,
        << "  min det F " << report.min_det_F << std::defaultfloat << std::setprecision(3)
        << "  step size " << point.step_size;
   if (point.part > 0.)
-    line << "  left at most " << std::setprecision(3) << seconds() * (1. - point.part) / point.part
-         << " s";
+    line << "  ETA " << std::setprecision(2) << seconds() * (1. - point.part) / point.part << " s";
   console << line.str() << "\n" << std::flush;
 }
 

@@ -40,7 +40,7 @@ std::string VtuFiles<dim>::write(const std::string& folder, const std::string& n
   }
   if (dealii::Utilities::MPI::logical_or(failed, comm))
     throw WriteError("cannot write the fields into '" + folder +
-                     "'; choose another --output folder or make room");
+                     "'; choose another --output folder or free disk space");
   return record;
 }
 

@@ -165,7 +165,7 @@ def ends(program, folder):
             ("hard/pull_in_loop", by_load, "pull-in", ["pull-in between e = 0.687"]),
             ("hard/snap_through", by_load, "pull-in", ["pull-in between e = 0.689"]),
             ("hard/hourglass", {}, "instability",
-             ["1 unstable direction", "critical mode is mostly u", "e_true", "thinnest stretch"])):
+             ["1 unstable direction", "critical mode is mostly u", "e_true", "smallest stretch"])):
         case = program.run(scene, folder / outcome / scene, *settings(entries), exit_code=3)
         report = json.loads((case.directory / "run.json").read_text())
         print(f"  {report['reason']}")

@@ -13,7 +13,7 @@ namespace thelma
 /// to it by a pressure p (theory.md, eq. 21):
 ///   Pi = int psi - psi_v(J) + psi_v(t) + p (J - t) dV.
 /// p and t are iterates of Newton's method and condensed from each linear system only, so that the
-/// volumetric energy never meets a displacement that is not yet in balance (eq. 22).
+/// volumetric energy never meets a displacement that is not yet in balance (eq. (22)).
 ///
 /// Internal unknowns: p, then t. What elimination keeps of a tangent: S = M H M, then B, the
 /// derivative of R_p by each displacement component; with a temperature field also of R_t by the

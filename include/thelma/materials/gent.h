@@ -14,13 +14,13 @@ class Gent : public ShearLaw<Gent>
 public:
   static constexpr const char* name = "Gent";
   static constexpr const char* meaning =
-      "neo-Hookean whose chains have a finite length, entry `Gent limit`";
+      "neo-Hookean with finite chain extensibility, entry `Gent limit`";
 
   void declare(dealii::ParameterHandler& prm)
   {
     mu.declare(prm, "Shear modulus", "mu(theta).", Quantity("MPa"));
     prm.add_parameter("Gent limit", J_m,
-                      "J_m, the value of tr C_EM - 3 at which the chains are stretched out.",
+                      "J_m, the value of tr C_EM - 3 at which the chains are fully extended.",
                       dealii::Patterns::Double(1e-12));
   }
 

@@ -13,7 +13,7 @@ class IdealDielectric
 {
 public:
   static constexpr const char* name = "ideal";
-  static constexpr const char* meaning = "constant permittivity of the deformed material";
+  static constexpr const char* meaning = "permittivity independent of deformation";
 
   void declare(dealii::ParameterHandler& prm)
   {

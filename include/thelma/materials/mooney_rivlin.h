@@ -14,13 +14,13 @@ class MooneyRivlin : public ShearLaw<MooneyRivlin>
 public:
   static constexpr const char* name = "Mooney-Rivlin";
   static constexpr const char* meaning =
-      "with a part of the second invariant, entry `Second share`";
+      "with a share of the second invariant, entry `Second share`";
 
   void declare(dealii::ParameterHandler& prm)
   {
     mu.declare(prm, "Shear modulus", "mu(theta) = 2 (C_1 + C_2).", Quantity("MPa"));
     prm.add_parameter("Second share", m,
-                      "C_2/(C_1 + C_2), the part of the second invariant in the shear modulus; 0 "
+                      "C_2/(C_1 + C_2), the share of the second invariant in the shear modulus; 0 "
                       "is neo-Hookean.",
                       dealii::Patterns::Double(0., 1.));
   }

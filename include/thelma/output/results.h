@@ -69,7 +69,7 @@ public:
   }
 
   /// How to go on after the run was stopped.
-  std::string advice() const { return "go on with thelma --restart " + folder; }
+  std::string advice() const { return "continue with thelma --restart " + folder; }
 
   /// What has been left so far.
   template <class Archive>

@@ -1,6 +1,6 @@
 // Steps towards a target over paths that end where a formula says.
 
-#include <thelma/solvers/stepper.h>
+#include <thelma/strategies/load_stepper.h>
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,9 @@ using namespace thelma;
 constexpr double far_away = std::numeric_limits<double>::infinity();
 
 /// Drives a stepper over a path that exists up to @p limit.
-Stepper run_to(const double limit, const double resolution)
+LoadStepper run_to(const double limit, const double resolution)
 {
-  Stepper stepper;
+  LoadStepper stepper;
   stepper.start(resolution, 0.1);
   while (!stepper.finished() && !stepper.exhausted()) {
     if (stepper.next() <= limit)
@@ -27,26 +27,26 @@ Stepper run_to(const double limit, const double resolution)
   return stepper;
 }
 
-TEST(Stepper, ReachesTheTargetExactly)
+TEST(LoadStepper, ReachesTheTargetExactly)
 {
-  const Stepper stepper = run_to(2., 1e-4);
+  const LoadStepper stepper = run_to(2., 1e-4);
   EXPECT_TRUE(stepper.finished());
   EXPECT_EQ(stepper.accepted(), 1.);
 }
 
-TEST(Stepper, BracketsALimit)
+TEST(LoadStepper, BracketsALimit)
 {
   const double limit = 0.6873653;
-  const Stepper stepper = run_to(limit, 1e-4);
+  const LoadStepper stepper = run_to(limit, 1e-4);
   EXPECT_TRUE(stepper.exhausted());
   EXPECT_LE(stepper.accepted(), limit);
   EXPECT_GT(stepper.failed(), limit);
   EXPECT_LE(stepper.failed() - stepper.accepted(), 1e-4);
 }
 
-TEST(Stepper, ForgetsAFailureThatThePathContradicts)
+TEST(LoadStepper, ForgetsAFailureThatThePathContradicts)
 {
-  Stepper stepper;
+  LoadStepper stepper;
   stepper.start(1e-4, 0.2);
   stepper.next();
   stepper.cut_back();
@@ -55,9 +55,9 @@ TEST(Stepper, ForgetsAFailureThatThePathContradicts)
   EXPECT_GT(stepper.failed(), 1.);
 }
 
-TEST(Stepper, GrowsFromTheStepThatWasTaken)
+TEST(LoadStepper, GrowsFromTheStepThatWasTaken)
 {
-  Stepper stepper;
+  LoadStepper stepper;
   stepper.start(1e-4, 0.1);
   stepper.next();
   stepper.accept(1, 0.101); // a limit is announced, and does not come
@@ -67,9 +67,9 @@ TEST(Stepper, GrowsFromTheStepThatWasTaken)
   EXPECT_NEAR(stepper.next() - stepper.accepted(), 3. * before, 1e-12);
 }
 
-TEST(Stepper, ComesNearerToWhereAnotherPathWasFound)
+TEST(LoadStepper, ComesNearerToWhereAnotherPathWasFound)
 {
-  Stepper stepper;
+  LoadStepper stepper;
   stepper.start(1e-4, 0.1);
   while (!stepper.exhausted()) {
     if (stepper.next() <= 0.5)

@@ -1,6 +1,6 @@
 // Time steps: their stops, and the error of backward Euler that they are to keep.
 
-#include <thelma/solvers/time_stepper.h>
+#include <thelma/strategies/time_stepper.h>
 
 #include <gtest/gtest.h>
 
