@@ -18,8 +18,8 @@ namespace thelma
 
 std::string field_name(const Field field)
 {
-  static const std::array<std::string, n_field_kinds> names{"displacement u", "potential phi",
-                                                            "temperature theta"};
+  static const std::array<std::string, n_field_kinds> names{{"displacement u", "potential phi",
+                                                            "temperature theta"}};
   return names[static_cast<std::size_t>(field)];
 }
 

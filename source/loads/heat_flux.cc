@@ -13,7 +13,7 @@ namespace
 
 /// Heat flux through surfaces, per area of the undeformed surface.
 template <int dim>
-class HeatFlux final : public HeatLoad<dim>
+class SurfaceHeatFlux final : public HeatLoad<dim>
 {
 public:
   void declare(dealii::ParameterHandler& prm) override
@@ -62,7 +62,7 @@ private:
 template <int dim>
 std::unique_ptr<Load<dim>> make_heat_flux()
 {
-  return std::make_unique<HeatFlux<dim>>();
+  return std::make_unique<SurfaceHeatFlux<dim>>();
 }
 
 template std::unique_ptr<Load<2>> make_heat_flux();

@@ -20,7 +20,7 @@ Loads<dim>::Loads()
     if (const std::string name = item.load->amplitude();
         !name.empty() && std::none_of(amplitudes.begin(), amplitudes.end(),
                                       [&](const auto& known) { return known.name == name; }))
-      amplitudes.push_back({name});
+      amplitudes.push_back({name, "1", {}});
 }
 
 template <int dim>
@@ -152,6 +152,77 @@ std::vector<double> Loads<dim>::heated_to(const double level) const
     if (items[i].load->is_heating())
       heated[i] = level;
   return heated;
+}
+
+template <int dim>
+void Loads<dim>::read_amplitudes(const std::optional<double> end)
+{
+  Complaints complaints;
+  for (GivenAmplitude& given : amplitudes)
+    complaints.allow([&]() {
+      given.amplitude.emplace("section Time, entry '" + given.entry() + "'", given.text);
+      if (!end)
+        return;
+      const AmplitudeTimes found = given.amplitude->times(*end);
+      times.kinks.insert(times.kinks.end(), found.kinks.begin(), found.kinks.end());
+      times.bends.insert(times.bends.end(), found.bends.begin(), found.bends.end());
+    });
+  complaints.raise();
+}
+
+template <int dim>
+double Loads<dim>::amplitude(const std::size_t index, const double time) const
+{
+  const std::string name = items[index].load->amplitude();
+  const auto given = std::find_if(amplitudes.begin(), amplitudes.end(),
+                                  [&](const auto& known) { return known.name == name; });
+  return given == amplitudes.end() ? 1. : (*given->amplitude)(time);
+}
+
+template <int dim>
+std::vector<double> Loads<dim>::levels_at(const double time) const
+{
+  std::vector<double> levels;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    levels.push_back(items[i].last * amplitude(i, time));
+  return levels;
+}
+
+template <int dim>
+void Loads<dim>::check_levels(const double end) const
+{
+  constexpr unsigned int n = 100;
+  for (unsigned int k = 0; k <= n; ++k) {
+    const double time = end * k / n;
+    const std::vector<double> levels = levels_at(time);
+    for (std::size_t i = 0; i < items.size(); ++i)
+      items[i].load->check_level(time, levels[i]);
+  }
+}
+
+template <int dim>
+bool Loads<dim>::has_amplitudes() const
+{
+  return std::any_of(amplitudes.begin(), amplitudes.end(),
+                     [](const auto& given) { return given.text != "1"; });
+}
+
+template <int dim>
+std::map<std::string, std::string> Loads<dim>::idle_amplitudes() const
+{
+  std::map<std::string, std::string> idle;
+  for (const GivenAmplitude& given : amplitudes) {
+    std::string entries;
+    bool multiplies = false;
+    for (const Item& item : items)
+      if (item.load->amplitude() == given.name) {
+        multiplies = multiplies || item.load->is_present();
+        entries += (entries.empty() ? "" : " or ") + item.load->entry().path();
+      }
+    if (!multiplies)
+      idle[given.entry()] = "there is no " + entries;
+  }
+  return idle;
 }
 
 template <int dim>

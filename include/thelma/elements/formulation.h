@@ -80,7 +80,7 @@ struct Elimination {
 inline std::array<double, n_field_kinds> flux_units(const Material& material, const double theta)
 {
   const double mu = material.shear_modulus(theta);
-  return {mu, std::sqrt(mu * material.permittivity(theta)), material.thermal.k};
+  return {{mu, std::sqrt(mu * material.permittivity(theta)), material.thermal.k}};
 }
 
 /// Values of one cell's pressure or dilatation modes; unused ones stay zero.
