@@ -184,7 +184,7 @@ TEST(NewtonAlongACurve, ResidualsFallQuadraticallyInEveryStep)
   newton.declare(prm);
   prm.parse_input_from_string("subsection Newton\n set Reuse tangent = false\nend\n");
   for (const double voltage : {2., 5., 9., 12., 15., 18., 20., 22., 23., 24., 25., 25.5, 25.8}) {
-    scene.conditions.apply(voltage, 293., 1., scene.state.x);
+    scene.apply_voltage(voltage);
     const std::vector<double> r = newton.solve(scene.system).residuals;
     const std::size_t n = r.size();
     ASSERT_GE(n, 3u);

@@ -63,7 +63,7 @@ void solve_bending(TestScene<3>& scene, const double from, const double to)
   const auto n_steps = std::lround((to - from) / 0.02);
   for (long step = 1; step <= n_steps; ++step) {
     const double e = from + 0.02 * static_cast<double>(step);
-    scene.conditions.apply(e * per_e, 293., 1., scene.state.x);
+    scene.apply_voltage(e * per_e);
     const NewtonReport report = Newton().solve(scene.system);
     ASSERT_TRUE(report.converged) << e << ' ' << report.reason;
   }

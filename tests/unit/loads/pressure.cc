@@ -4,6 +4,8 @@
 #include "derivatives.h"
 #include "marks.h"
 
+#include <thelma/fields/deformed_surface.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>

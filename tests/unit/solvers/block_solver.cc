@@ -27,16 +27,12 @@ template <int dim>
 BlockVector correction(const std::string& text)
 {
   TestScene<dim> scene(text);
-  const auto prescribe = [&](const double voltage) {
-    scene.conditions.apply(voltage, 293., 1., scene.state.x);
-    scene.state.x.update_ghost_values();
-  };
   for (const double voltage : {1., 3.}) {
-    prescribe(voltage);
+    scene.apply_voltage(voltage);
     const NewtonReport found = Newton().solve(scene.system);
     EXPECT_TRUE(found.converged) << found.reason;
   }
-  prescribe(4.);
+  scene.apply_voltage(4.);
   scene.system.residual();
   BlockVector before = scene.state.x;
   const LinearReport report = scene.system.linear_solve(false);
@@ -77,8 +73,7 @@ TEST(BlockSolver, SaysThatItDidNotConverge)
 {
   TestScene<3> scene(bilayer("uniform", "mean dilatation", 2) +
                      "subsection Linear solver\n set Solver = block\n set Iterations = 3\nend\n");
-  scene.conditions.apply(2., 293., 1., scene.state.x);
-  scene.state.x.update_ghost_values();
+  scene.apply_voltage(2.);
   scene.system.residual();
   const LinearReport report = scene.system.linear_solve(false);
   EXPECT_FALSE(report.solved);

@@ -2,6 +2,7 @@
 
 #include <thelma/assembly/system.h>
 #include <thelma/fields/mesh_order.h>
+#include <thelma/loads/prescribed.h>
 
 #include <random>
 #include <string>
@@ -43,6 +44,15 @@ struct TestScene {
     system.choose();
     system.setup();
     state.start();
+  }
+
+  /// Supports and walls at their values, electrodes at this voltage in kV.
+  void apply_voltage(const double voltage)
+  {
+    conditions.hold_supports(state.x);
+    prescribe_values(conditions.driven(), 0., voltage, state.x);
+    prescribe_values(conditions.heated(), 0., 1., state.x);
+    state.x.update_ghost_values();
   }
 
   ParameterFile file;
