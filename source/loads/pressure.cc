@@ -12,7 +12,7 @@ namespace thelma
 namespace
 {
 
-/// Pressures that act on surfaces of the deformed body and follow it (theory.md, eqs. 49 to 51).
+/// Pressures that act on surfaces of the deformed body and follow it (theory.md, eqs. 51 to 53).
 template <int dim>
 class Pressure final : public Load<dim>
 {
@@ -47,7 +47,7 @@ public:
   std::string amplitude() const override { return "Pressure"; }
   LevelText text() const override { return {"", " times the pressure"}; }
 
-  /// Eq. (49).
+  /// Eq. (51).
   void add_forces(const double factor, const double level, const State& /*state*/,
                   const BlockVector& x, BlockVector& nodal) const override
   {
@@ -63,7 +63,7 @@ public:
     }
   }
 
-  /// Eq. (51).
+  /// Eq. (53).
   void add_tangent(const State& state, TangentEntries<dim>& tangent) const override
   {
     std::vector<double> entries;

@@ -28,16 +28,19 @@ std::vector<std::string> unused_entries(const dealii::ParameterHandler& prm,
   const bool in_time = model.layout.is_transient(),
              has_heat = model.layout.has_transient_temperature(),
              is_electric = model.layout.has(Field::potential);
-  std::vector<Unused> all{
-      {std::stod(scene.value({"Mesh"}, "Imperfection")) == 0.,
-       "Mesh",
-       {"Imperfection shape"},
-       "Imperfection is 0"},
-      {!in_time, "Time", {}, "nothing evolves in time"},
-      {in_time && !has_heat,
-       "Time",
-       {"Tolerance", "Coupling", "Structural heat"},
-       "no temperature field is transient"},
+  std::vector<Unused> all{{std::stod(scene.value({"Mesh"}, "Imperfection")) == 0.,
+                           "Mesh",
+                           {"Imperfection shape"},
+                           "Imperfection is 0"},
+                          {!in_time, "Time", {}, "nothing evolves in time"},
+                          {in_time && !has_heat,
+                           "Time",
+                           {"Tolerance", "Coupling", "Structural heat"},
+                           "no temperature field is transient"}};
+  if (in_time)
+    for (const auto& [entry, reason] : model.loads.idle_amplitudes())
+      all.push_back({true, "Time", {entry}, reason});
+  const std::vector<Unused> others{
       {!is_electric,
        "Loading",
        {"Control", "Target", "Film thickness", "Film material"},
@@ -52,9 +55,7 @@ std::vector<std::string> unused_entries(const dealii::ParameterHandler& prm,
        "Expectations",
        {"Relative tolerance"},
        "there are no Final values"}};
-  if (in_time)
-    for (const auto& [entry, reason] : model.loads.idle_amplitudes())
-      all.push_back({true, "Time", {entry}, reason});
+  all.insert(all.end(), others.begin(), others.end());
   std::vector<std::string> sentences;
   for (const Unused& unused : all) {
     if (!unused.if_so)

@@ -1,4 +1,4 @@
-// The matrix of theory.md, eq. 28.
+// The matrix of theory.md, eq. 55.
 
 #include <thelma/assembly/tangent_matrix.h>
 #include <thelma/elements/integrate.h>

@@ -1,4 +1,4 @@
-"""A slab with both faces stepped from 293 to 353 K: its Fourier series (doc/theory.md, eq. 36)."""
+"""A slab with both faces stepped from 293 to 353 K: its Fourier series (doc/theory.md, eq. 31)."""
 
 import math
 

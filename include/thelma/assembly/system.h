@@ -61,7 +61,7 @@ public:
   const Displacement& response() const override { return nodal_response.block(0); }
 
   /// The eigenvalue of smallest size of the tangent last factorised with all fields but the
-  /// displacement eliminated, and its eigenvector of length 1 in @p mode (theory.md, eq. 45); not a
+  /// displacement eliminated, and its eigenvector of length 1 in @p mode (theory.md, eq. 47); not a
   /// number where it is not found.
   double critical_mode(BlockVector& mode);
 
@@ -104,7 +104,7 @@ public:
   bool is_symmetric() const { return !layout.has(Field::temperature) || solved != Solved::all; }
 
   /// From now on the unstable directions that this unsymmetric tangent does not tell are counted on
-  /// that of @p displacement_and_potential (theory.md, eqs. 71, 72).
+  /// that of @p displacement_and_potential (theory.md, eqs. 43, 44).
   void count_on(System& displacement_and_potential)
   {
     symmetric_part = &displacement_and_potential;

@@ -10,10 +10,10 @@ namespace thelma
 {
 
 /// Formulations in which the volumetric energy sees a dilatation t of the cell instead of J, tied
-/// to it by a pressure p (theory.md, eq. 21):
+/// to it by a pressure p (theory.md, eq. 18):
 ///   Pi = int psi - psi_v(J) + psi_v(t) + p (J - t) dV.
 /// p and t are iterates of Newton's method and condensed from each linear system only, so that the
-/// volumetric energy never meets a displacement that is not yet in balance (eq. (22)).
+/// volumetric energy never meets a displacement that is not yet in balance (eq. (19)).
 ///
 /// Internal unknowns: p, then t. What elimination keeps of a tangent: S = M H M, then B, the
 /// derivative of R_p by each displacement component; with a temperature field also of R_t by the

@@ -5,7 +5,7 @@
 namespace thelma
 {
 
-/// Gent's rubber with chains of finite length (theory.md, eq. 41), without its volumetric energy:
+/// Gent's rubber with chains of finite length (theory.md, eq. 6), without its volumetric energy:
 ///   W = -mu(theta)/2 (J_m ln(1 - (F : F - 3)/J_m) + 2 ln J),   W_F = mu (a F - F^{-T}),
 ///   a = J_m/(J_m - F : F + 3).
 /// It stiffens beyond all bounds as F : F - 3 approaches J_m and is neo-Hookean as J_m grows.
