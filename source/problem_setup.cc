@@ -104,7 +104,7 @@ void Problem<dim>::check_and_set_up(Complaints& found)
     return;
   const bool has_conditions = found.allow([&]() { conditions.setup(mesh, layout); });
   if (layout.has(Field::temperature))
-    found.allow([&]() { materials.check_heat(layout.is_transient()); });
+    found.allow([&]() { materials.check_heat(layout.is_transient(), transient.makes_heat()); });
   if (has_conditions && found.allow([&]() { nodal_heat.setup(mesh, layout, conditions); }) &&
       has_amplitudes && layout.is_transient())
     found.allow([&]() { transient.check_walls(theta); });

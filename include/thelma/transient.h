@@ -62,6 +62,7 @@ public:
   void cut_back();
 
   bool is_monolithic() const { return coupling == Coupling::monolithic; }
+  bool makes_heat() const { return structural_heat != StructuralHeat::none; }
   System<dim>& heated_system() { return system; }
   double initial_voltage() const { return voltage_at(0.); }
   double step_size() const { return stepper.step(); }

@@ -78,6 +78,7 @@ void System<dim>::setup()
   base = nodal_correction = nodal_response = loads = layout.new_vector();
   internal_base = internal_correction = internal_response = state.internal;
   state.x.update_ghost_values();
+  keep_memory();
   compute_scales();
   keep_pressures();
 }

@@ -115,6 +115,11 @@ public:
     return Base::energies(Enhanced(view).view);
   }
 
+  void update_memory(const CellView<dim>& view, double* now) const override
+  {
+    Base::update_memory(Enhanced(view).view, now);
+  }
+
   void pull_back(const CellView<dim>& view, double* values) const override
   {
     transform(view, dealii::invert(centre_gradient(view)), values);

@@ -105,6 +105,9 @@ public:
   template <typename Visitor>
   void for_each_cell(const Visitor& visit) const;
 
+  /// What the laws of an own cell remember.
+  CellMemory memory(std::size_t cell) const;
+
   /// Solve the cells' internal equations at the current nodal values; the tangent stays.
   void relax_internal();
 
@@ -166,6 +169,7 @@ private:
   /// Replace minus a nodal residual by the correction that belongs to it; the charges of floating
   /// electrodes lack @p charges.
   LinearReport solve_tangent(BlockVector& vector, const std::vector<double>& charges);
+  void keep_memory();
   void choose_solver();
   void keep_pressures();
   LinearReport prepare_solver();
@@ -191,6 +195,7 @@ private:
 
   std::string formulation_name = "selective reduced";
   std::unique_ptr<Formulation<dim>> formulation;
+  unsigned int n_history = 0; ///< numbers remembered at a point, by the law with most of the scene
   TangentMatrix<dim> matrix;
   FloatingElectrodes<dim> floating;
   std::vector<double> charge_scales; ///< of all electrodes
@@ -246,6 +251,8 @@ void System<dim>::for_each_cell(const Visitor& visit) const
       }
       view.history = &history;
     }
+    if (n_history > 0)
+      view.memory = memory(index);
     view.keeps_pressures = pressures != nullptr;
     visit(view);
     ++index;
