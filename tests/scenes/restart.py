@@ -333,7 +333,7 @@ def main():
     random.seed(7)
     side_by_side(program, *((check_kills, name) for name in SCENES),
                  *((check_signals_and_ranks, name, all_ranks)
-                   for name in ("stages", "arc length", "time")),
+                   for name in ("stages", "arc length", "time", "memory")),
                  (check_study, all_ranks[-1]), (check_damage,), (check_full_disk, "stages"),
                  (check_full_disk, "time"), (check_refusals,), (check_two_at_once,))
 

@@ -32,49 +32,43 @@ public:
   Number W(const Tensor3<2, Number>& F, const Number& J,
            const PointHistory<Given<Number>>& history) const
   {
-    const Flow<Number> flow(*this, F, J, history);
-    const double a = flow.a, b = flow.b;
-    const Number I_1 = contract(Kinematics<Number>(flow.C_v).G, flow.C),
-                 I_2 = contract(Kinematics<Number>(flow.C).G, flow.C_v);
-    // c^3 - 1 = b y, whose digits survive where b is small.
-    const Number y = a * (a * (I_1 - 3.) + b * (I_2 - 3.));
-    return 1.5 * G * y / (1. + flow.c + flow.c * flow.c);
+    return potential(Flow<Number>(*this, F, J, history));
   }
 
-  /// Add W and W_F = G (T - tr(B)/3 F^{-T}).
+  /// Add W and W_F = G (T - m g), m = tr(B)/3, g = F^{-T} (eq. 86).
   template <typename Number>
   void add_first(const Tensor3<2, Number>& F, const Kinematics<Number>& kin,
                  const PointHistory<Given<Number>>& history, ElasticDerivatives<Number>& d) const
   {
-    const Stress<Number> stress(Flow<Number>(*this, F, kin.J, history), F);
-    d.W += W(F, kin.J, history);
+    const Flow<Number> flow(*this, F, kin.J, history);
+    const Stress<Number> stress(flow, F);
+    d.W += potential(flow);
     d.W_F += G * (stress.T - stress.m * kin.G);
   }
 
-  /// Add W_FF, with h = b/c, m = tr(B)/3 and
-  /// Q = 2/3 (h B T - (1 + h m) T) + 1/3 (h (m^2 - B : B/3) + m) G:
-  ///   2/3 h T_iJ T_kL + Q_iJ G_kL + G_iJ Q_kL + (d_ik - h B_ik) A_JL - h T_iL T_kJ + m G_iL G_kJ.
+  /// Add W_FF, which is G times, with h = b/c and
+  /// Q = 2/3 (h B T - (1 + h m) T) + 1/3 (h (m^2 - B : B/3) + m) g,
+  ///   2/3 h T_iJ T_kL + Q_iJ g_kL + g_iJ Q_kL + (d_ik - h B_ik) A_JL - h T_iL T_kJ + m g_iL g_kJ.
   template <typename Number>
   void add_second(const Tensor3<2, Number>& F, const Kinematics<Number>& kin,
                   const PointHistory<Given<Number>>& history, Tensor3<4, Number>& W_FF) const
   {
     const Flow<Number> flow(*this, F, kin.J, history);
     const Stress<Number> stress(flow, F);
-    const Tensor3<2, Number>&T = stress.T, &B = stress.B, &A = stress.A, &inverse = kin.G;
+    const Tensor3<2, Number>&T = stress.T, &B = stress.B, &A = stress.A, &g = kin.G;
     const Number h = flow.b / flow.c, m = stress.m;
     const Number of_T = -2. / 3. * (1. + h * m),
-                 of_inverse = (h * (m * m - contract(B, B) / 3.) + m) / 3.,
-                 two_thirds = 2. / 3. * h;
+                 of_g = (h * (m * m - contract(B, B) / 3.) + m) / 3., two_thirds = 2. / 3. * h;
     const Tensor3<2, Number> BT = B * T;
-    const Tensor3<2, Number> Q = two_thirds * BT + of_T * T + of_inverse * inverse;
+    const Tensor3<2, Number> Q = two_thirds * BT + of_T * T + of_g * g;
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int J = 0; J < 3; ++J)
         for (unsigned int k = 0; k < 3; ++k)
           for (unsigned int L = 0; L < 3; ++L) {
             const Number mobility = (i == k ? 1. : 0.) - h * B[i][k];
-            W_FF[i][J][k][L] += G * (two_thirds * T[i][J] * T[k][L] + Q[i][J] * inverse[k][L] +
-                                     inverse[i][J] * Q[k][L] + mobility * A[J][L] -
-                                     h * T[i][L] * T[k][J] + m * inverse[i][L] * inverse[k][J]);
+            W_FF[i][J][k][L] +=
+                G * (two_thirds * T[i][J] * T[k][L] + Q[i][J] * g[k][L] + g[i][J] * Q[k][L] +
+                     mobility * A[J][L] - h * T[i][L] * T[k][J] + m * g[i][L] * g[k][J]);
           }
   }
 
@@ -108,19 +102,31 @@ private:
         for (unsigned int k = 0; k < 3; ++k)
           C_v[i][k] = history.old ? Number(history.old[index(i, k)]) : Number(i == k ? 1. : 0.);
       N = a * C_v + b * C;
-      c = exp(log(Kinematics<Number>(N).J) / 3.);
+      const Kinematics<Number> kin(N);
+      c = exp(log(kin.J) / 3.);
+      N_inverse = kin.G;
     }
 
     double a, b;
     Number j, c; ///< J^{-2/3}, (det N)^{1/3}
-    Tensor3<2, Number> C, C_v, N;
+    Tensor3<2, Number> C, C_v, N, N_inverse;
   };
+
+  /// W of eq. 85: c^3 - 1 = b y, whose digits survive where b is small.
+  template <typename Number>
+  Number potential(const Flow<Number>& flow) const
+  {
+    const Number I_1 = contract(Kinematics<Number>(flow.C_v).G, flow.C),
+                 I_2 = contract(Kinematics<Number>(flow.C).G, flow.C_v),
+                 y = flow.a * (flow.a * (I_1 - 3.) + flow.b * (I_2 - 3.));
+    return 1.5 * G * y / (1. + flow.c + flow.c * flow.c);
+  }
 
   /// With the new C_v: A = j C_v^{-1}, T = F A, and the elastic strain B = T F^T, 1 at rest.
   template <typename Number>
   struct Stress {
     Stress(const Flow<Number>& flow, const Tensor3<2, Number>& F)
-        : A(flow.j * flow.c * Kinematics<Number>(flow.N).G), T(F * A), B(T * dealii::transpose(F)),
+        : A(flow.j * flow.c * flow.N_inverse), T(F * A), B(T * dealii::transpose(F)),
           m(dealii::trace(B) / 3.)
     {
     }
