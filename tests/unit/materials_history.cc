@@ -115,7 +115,7 @@ TEST(MaterialsHistory, AcceptedStepKeepsItsStress)
         memory.state(random.deformation(), std::pow(10., random.uniform(-1., 2.)));
     const Tensor3<2> P = material->first_derivatives(step).P;
     const double with_loss = material->energies(step).elastic;
-    memory.step(*material, step.F, step.history.dt);
+    memory.step(*material, step.F, step.history.dt());
     const PointState<> accepted = memory.state(step.F, 0.);
     errors.add("P", material->first_derivatives(accepted).P, P, modulus);
     const double stored =

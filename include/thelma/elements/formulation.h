@@ -23,9 +23,9 @@ struct CellHistory {
 
 /// What the laws of a cell remember at its points, one after the other.
 struct CellMemory {
-  const double* old = nullptr;                         ///< none where no law of the scene remembers
-  unsigned int n = 0;                                  ///< numbers for each point
-  double dt = std::numeric_limits<double>::infinity(); ///< s
+  const double* old = nullptr; ///< none where no law of the scene remembers
+  unsigned int n = 0;          ///< numbers for each point
+  double dt = 0.;              ///< time since, s
 
   PointHistory<> at(const unsigned int q) const
   {

@@ -92,7 +92,7 @@ private:
   struct Flow {
     Flow(const MaxwellBranch& branch, const Tensor3<2, Number>& F, const Number& J,
          const PointHistory<Given<Number>>& history)
-        : a(1. / (1. + history.dt / branch.tau)), b(1. - a)
+        : a(1. / (1. + history.dt() / branch.tau)), b(1. - a)
     {
       using std::exp;
       using std::log;

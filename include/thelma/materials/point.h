@@ -25,8 +25,10 @@ using Given = std::conditional_t<std::is_same<Number, Lanes>::value, Lanes, doub
 /// before.
 template <typename Value = double>
 struct PointHistory {
-  const Value* old = nullptr; ///< none where no law remembers
-  double dt = std::numeric_limits<double>::infinity();
+  const Value* old = nullptr; ///< none before the first state, and where no law remembers
+  double time = 0.;           ///< s; of zeros alone, a history costs nothing to begin with
+
+  double dt() const { return old ? time : std::numeric_limits<double>::infinity(); }
 };
 
 /// What a material law sees: deformation gradient F, nominal electric field E in kV/mm, absolute
