@@ -73,6 +73,7 @@ void System<dim>::setup()
   base = nodal_correction = nodal_response = holding = layout.new_vector();
   internal_base = internal_correction = internal_response = state.internal;
   state.x.update_ghost_values();
+  keep_memory();
   compute_scales();
   keep_pressures();
 }

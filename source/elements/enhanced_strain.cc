@@ -78,7 +78,7 @@ public:
     for (std::size_t i = 0; i < n_outer; ++i)
       std::copy_n(result.tangent.begin() + i * n, n_outer, result.tangent.begin() + i * n_outer);
     result.tangent.resize(n_outer * n_outer);
-    // One for each mode of the potential belongs to a stable cell, as in eq. (42).
+    // One for each mode of the potential belongs to a stable cell, as in eq. (47).
     result.unstable_inside = static_cast<int>(n_negative) - (view.cell.has_potential ? dim : 0);
   }
 
@@ -113,6 +113,11 @@ public:
   Energies energies(const CellView<dim>& view) const override
   {
     return Base::energies(Enhanced(view).view);
+  }
+
+  void update_memory(const CellView<dim>& view, double* now) const override
+  {
+    Base::update_memory(Enhanced(view).view, now);
   }
 
   void pull_back(const CellView<dim>& view, double* values) const override
@@ -192,7 +197,7 @@ private:
     return R;
   }
 
-  /// Squared residual @p R of the modes in the units of eq. (59).
+  /// Squared residual @p R of the modes in the units of eq. (64).
   double mode_error(const CellView<dim>& view, const double* R) const
   {
     const Material& material = *view.cell.material;

@@ -123,10 +123,11 @@ void PressureDilatation<dim>::with_points(const CellView<dim>& view, const Actio
   const CellPoints<dim> points(*full, view, [&](const unsigned int q, Gradients<dim>& gradients) {
     enhance(view.index, q, gradients);
   });
-  if (reduced)
-    action(points, CellPoints<dim>(*reduced, view));
-  else
-    action(points, points);
+  if (!reduced)
+    return action(points, points);
+  CellView<dim> volume = view;
+  volume.memory = {}; // that of the full rule's points
+  action(points, CellPoints<dim>(*reduced, volume));
 }
 
 template <int dim>
@@ -184,6 +185,14 @@ double PressureDilatation<dim>::stabilisation(const CellView<dim>& view) const
     }
   });
   return needed;
+}
+
+template <int dim>
+void PressureDilatation<dim>::update_memory(const CellView<dim>& view, double* now) const
+{
+  with_points(view, [&](const CellPoints<dim>& points, const CellPoints<dim>&) {
+    thelma::update_memory(points, view, now);
+  });
 }
 
 template <int dim>

@@ -27,6 +27,13 @@ public:
     result.blocks.write(result.tangent);
   }
 
+  const dealii::Quadrature<dim>& law_points() const override { return full->quadrature(); }
+
+  void update_memory(const CellView<dim>& view, double* now) const override
+  {
+    thelma::update_memory(CellPoints<dim>(*full, view), view, now);
+  }
+
   double pressure(const CellView<dim>& view, const dealii::Point<dim>&,
                   const PointState<>& state) const override
   {

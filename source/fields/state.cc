@@ -9,7 +9,12 @@ namespace thelma
 void State::start(const double load)
 {
   x.update_ghost_values();
-  past = {{load, x, internal}};
+  past = {accepted(load)};
+}
+
+State::Accepted State::accepted(const double load) const
+{
+  return {load, x, internal, remember ? remember() : std::vector<double>()};
 }
 
 void State::resume(std::vector<Accepted> path)
@@ -34,7 +39,7 @@ void State::accept(const double load)
 {
   if (past.size() == memory)
     past.erase(past.begin());
-  past.push_back({load, x, internal});
+  past.push_back(accepted(load));
 }
 
 double State::estimated_limit() const

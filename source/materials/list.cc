@@ -131,13 +131,26 @@ void MaterialLibrary::check(const double theta)
   }
 }
 
-void MaterialLibrary::check_heat(const bool in_time) const
+void MaterialLibrary::check_heat(const bool in_time, const bool with_structural_heat) const
 {
+  const std::string flowing = one_that_remembers();
+  if (with_structural_heat && !flowing.empty())
+    throw InputError("section Time, entry 'Structural heat': the heat that the flow of the "
+                     "viscoelastic material '" +
+                     flowing + "' makes is not modelled; choose none");
   for (const auto& [name, entry] : materials)
     if (in_time)
       require_positive(name, "Heat capacity", entry.material->thermal.c, " in a transient scene");
     else
       require_positive(name, "Conductivity", entry.material->thermal.k, " in a steady scene");
+}
+
+std::string MaterialLibrary::one_that_remembers() const
+{
+  for (const auto& [name, entry] : materials)
+    if (entry.material->n_history() > 0)
+      return name;
+  return "";
 }
 
 std::vector<std::string> MaterialLibrary::summary(const double theta) const
@@ -153,6 +166,7 @@ std::vector<std::string> MaterialLibrary::summary(const double theta) const
         entry.dielectric + " dielectric, mu " + as_text(entry.material->shear_modulus(theta)) +
         " MPa, K " + as_text(entry.material->thermal.K) + " MPa, eps " +
         as_text(entry.material->permittivity(theta)) + " N/kV^2" +
+        (entry.material->n_history() > 0 ? ", relaxed where nothing depends on time" : "") +
         (entry.has_section ? "" : "; all defaults, because there is no section Materials/" + name));
   }
   return lines;

@@ -10,6 +10,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -36,6 +37,13 @@ public:
   {
     for (std::size_t index = 0; index < scene.layout.cells().size(); ++index)
       index_of[scene.layout.cells()[index].iterator->active_cell_index()] = index;
+    const std::vector<dealii::Point<dim>>& inner = scene.system.element().law_points().get_points();
+    for (const dealii::Point<dim>& point : points.get_points())
+      nearest.push_back(std::min_element(inner.begin(), inner.end(),
+                                         [&](const auto& a, const auto& b) {
+                                           return a.distance(point) < b.distance(point);
+                                         }) -
+                        inner.begin());
   }
 
   std::vector<std::string> get_names() const override
@@ -67,8 +75,10 @@ public:
   {
     const auto& cell = input.template get_cell<dim>();
     const Material& material = scene.materials.of_region(scene.mesh.region_of(cell));
+    const CellMemory memory = scene.system.memory(index_of.at(cell->active_cell_index()));
     for (std::size_t q = 0; q < output.size(); ++q) {
-      const PointState<> state = point(input, q);
+      PointState<> state = point(input, q);
+      state.history = memory.at(nearest[q]);
       const Kinematics<> kin(state.F);
       FirstDerivatives<> d;
       material.evaluate(state, d);
@@ -120,6 +130,7 @@ private:
   const Scene<dim>& scene;
   dealii::QIterated<dim> points;
   std::map<unsigned int, std::size_t> index_of; ///< active cell -> own cell
+  std::vector<unsigned int> nearest; ///< of the points that remember, to each of the output
 };
 
 /// Names and kinds of the solution's own components.

@@ -27,6 +27,10 @@ public:
       throw InputError(
           "section Output, entry 'Observables': the ledger is not available with a steady "
           "temperature field; leave it out, or set Temperature/Model = uniform or transient");
+    if (const std::string flowing = scene.materials.one_that_remembers(); !flowing.empty())
+      throw InputError("section Output, entry 'Observables': the ledger does not count what the "
+                       "flow of the viscoelastic material '" +
+                       flowing + "' dissipates; leave it out");
     rule.emplace(scene.layout, scene.layout.degree() + 1);
     theta_0 = scene.materials.reference_temperature();
   }

@@ -76,8 +76,9 @@ std::string Checkpoint<dim>::content()
     archive << n;
     for (const State::Accepted& accepted : model.state.path()) {
       const std::vector<double> x = order.collect(accepted.x),
-                                internal = order.collect(accepted.internal);
-      archive << accepted.load << x << internal;
+                                internal = order.collect(accepted.internal),
+                                history = order.collect(accepted.history);
+      archive << accepted.load << x << internal << history;
     }
   }
   return content.str();
@@ -120,10 +121,11 @@ bool Checkpoint<dim>::restore(const std::string& content, const bool if_it_fits)
     archive >> n;
     std::vector<State::Accepted> path;
     for (std::size_t k = 0; k < n; ++k) {
-      path.push_back({0., model.state.x, model.state.internal});
-      std::vector<double> x, internal;
-      archive >> path[k].load >> x >> internal;
-      if (!order.distribute(x, path[k].x) || !order.distribute(internal, path[k].internal))
+      path.push_back(model.state.path().back());
+      std::vector<double> x, internal, history;
+      archive >> path[k].load >> x >> internal >> history;
+      if (!order.distribute(x, path[k].x) || !order.distribute(internal, path[k].internal) ||
+          !order.distribute(history, path[k].history))
         throw InputError("the checkpoint belongs to another mesh; start anew, without --restart");
     }
     model.state.resume(std::move(path));

@@ -57,8 +57,6 @@ Model<dim>::check(const std::string& folder,
   if (!stand.layout)
     return stand;
   stand.conditions = found.allow([&]() { conditions.setup(mesh, layout); });
-  if (layout.has(Field::temperature))
-    found.allow([&]() { materials.check_heat(layout.has_transient_temperature()); });
   const bool has_loads = found.allow([&]() {
     loads.setup({mesh, layout, stand.conditions ? &conditions : nullptr,
                  has_loading ? &loading : nullptr, theta_start, theta});

@@ -39,6 +39,10 @@ void Strategies<dim>::check(const bool has_conditions, Complaints& found)
       throw InputError("section Loading, entry 'Until': only a path that is followed ends so; set "
                        "Stepping/Continuation to automatic, or remove the entry");
   });
+  if (model.layout.has(Field::temperature))
+    found.allow([&]() {
+      model.materials.check_heat(model.layout.has_transient_temperature(), time_steps.makes_heat());
+    });
   if (has_conditions)
     found.allow([&]() { arc_length.setup(model.mesh, model.layout, model.conditions); });
 }

@@ -21,7 +21,7 @@ double slope(System<dim>& system)
   return 2. * system.load() / system.response().l2_norm();
 }
 
-/// The load at which the slope becomes zero (theory.md, eq. 48). The last state and its tangent
+/// The load at which the slope becomes zero (theory.md, eq. 53). The last state and its tangent
 /// remain.
 template <int dim>
 double turning_load(System<dim>& system, State& state)

@@ -212,7 +212,7 @@ READING = [
      ["'353 kPa'", "pressure", "temperature", "K"]),
     ("wrong dimension of one of several", ["--set", "Mesh/Parameters=L1: 5 mm, L3: 1 kV"],
      ["'1 kV'", "voltage", "length"]),
-    ("unknown unit", ["--set", "Loading/Film thickness=40 thou"], ["'thou'", "unknown unit", "mm"]),
+    ("unknown unit", ["--set", "Loading/Film thickness=40 thou"], ["'thou'", "not a unit", "mm"]),
     ("voltage where e is controlled", ["--set", "Loading/Target=18.2 kV"],
      ["command line", "Target", "'18.2 kV'", "voltage", "plain number", "Control"]),
     ("malformed value", ["--set", "Newton/Tolerance=small"],

@@ -95,7 +95,7 @@ def check_resumed(study, output, reference, lost, ranks):
         require((before.get(name) != after[name]) == again,
                 f"{name} was {'not ' if again else ''}run again")
     n_kept = sum(name not in lost and not is_bad(name) for name in after)
-    require(f"{n_kept} of {len(CODES)} cases are finished" in text or n_kept == 0,
+    require(f"{n_kept} of {len(CODES)} cases are already finished" in text or n_kept == 0,
             f"not a word of {n_kept} finished cases")
     check_console(text, n_kept + 1, len(CODES))
     require(table(output) == reference, "study.csv of the continued study differs")

@@ -61,7 +61,7 @@ public:
   const Displacement& response() const override { return nodal_response.block(0); }
 
   /// The eigenvalue of smallest size of the tangent last factorised with all fields but the
-  /// displacement eliminated, and its eigenvector of length 1 in @p mode (theory.md, eq. 47); not a
+  /// displacement eliminated, and its eigenvector of length 1 in @p mode (theory.md, eq. 52); not a
   /// number where it is not found.
   double critical_mode(BlockVector& mode);
 
@@ -85,6 +85,9 @@ public:
   template <typename Visitor>
   void for_each_cell(const Visitor& visit) const;
 
+  /// What the laws of an own cell remember.
+  CellMemory memory(std::size_t cell) const;
+
   /// Solve the cells' internal equations at the current nodal values; the tangent stays.
   void relax_internal();
 
@@ -104,7 +107,7 @@ public:
   bool is_symmetric() const { return !layout.has(Field::temperature) || solved != Solved::all; }
 
   /// From now on the unstable directions that this unsymmetric tangent does not tell are counted on
-  /// that of @p displacement_and_potential (theory.md, eqs. 43, 44).
+  /// that of @p displacement_and_potential (theory.md, eqs. 48, 49).
   void count_on(System& displacement_and_potential)
   {
     symmetric_part = &displacement_and_potential;
@@ -153,6 +156,7 @@ private:
   /// Replace minus a nodal residual by the correction that belongs to it; the charges of floating
   /// electrodes lack @p charges.
   LinearReport solve_tangent(BlockVector& vector, const std::vector<double>& charges);
+  void keep_memory();
   void choose_solver();
   void keep_pressures();
   LinearReport prepare_solver();
@@ -179,6 +183,7 @@ private:
 
   std::string formulation_name = "selective reduced";
   std::unique_ptr<Formulation<dim>> formulation;
+  unsigned int n_history = 0; ///< numbers remembered at a point, by the law with most of the scene
   TangentMatrix<dim> matrix;
   FloatingElectrodes<dim> floating;
   std::vector<double> charge_scales; ///< of all electrodes
@@ -232,6 +237,8 @@ void System<dim>::for_each_cell(const Visitor& visit) const
       }
       view.history = &history;
     }
+    if (n_history > 0)
+      view.memory = memory(index);
     view.keeps_pressures = pressures != nullptr;
     visit(view);
     ++index;

@@ -4,6 +4,7 @@
 #include <thelma/elements/formulation.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace thelma
 {
@@ -64,7 +65,7 @@ struct CellPoints {
   /// @p enhance(q, gradients) sets the gradients of modes that are no shape functions.
   template <typename Enhance>
   CellPoints(const Integration<dim>& rule, const CellView<dim>& view, const Enhance& enhance)
-      : n_points(rule.basis().n_points), geometry(rule.of_cell(view.index))
+      : n_points(rule.basis().n_points), geometry(rule.of_cell(view.index)), memory(view.memory)
   {
     const NodalValues<dim> x(view.x, rule.basis().n_nodes, view.cell.n_components);
     for (unsigned int q = 0; q < n_points; ++q) {
@@ -74,11 +75,16 @@ struct CellPoints {
     }
     for (unsigned int q = n_points; q % Lanes::n != 0; ++q) // lanes that belong to no point
       set_lane(input[q / Lanes::n], q % Lanes::n, point_input(view, x, gradients[n_points - 1]));
+    if (memory.old)
+      set_histories(view.cell.material->n_history());
     for (unsigned int k = 0; k < n_batches(); ++k)
       kinematics[k] = Kinematics<Lanes>(input[k].state.F);
     for (unsigned int q = 0; q < n_points; ++q)
       min_det_F = std::min(min_det_F, J(q));
   }
+
+  CellPoints(const CellPoints&) = delete; // the states refer to what they remember
+  CellPoints& operator=(const CellPoints&) = delete;
 
   unsigned int n_batches() const { return (n_points + Lanes::n - 1) / Lanes::n; }
 
@@ -94,6 +100,7 @@ struct CellPoints {
       point.grad_theta[i] = all.grad_theta[i][lane];
     }
     point.state.theta = all.state.theta[lane];
+    point.state.history = memory.at(q);
     return point;
   }
   PointState<> state(const unsigned int q) const { return at(q).state; }
@@ -112,7 +119,34 @@ struct CellPoints {
   std::array<PointInput<Lanes>, max_batches> input; ///< one point in each lane
   std::array<Kinematics<Lanes>, max_batches> kinematics;
   double min_det_F = std::numeric_limits<double>::max();
+  CellMemory memory;
+
+private:
+  /// The @p n internal variables of each point in its lane.
+  void set_histories(const unsigned int n)
+  {
+    old.resize(std::size_t(n_batches()) * n);
+    for (unsigned int k = 0; k < n_batches(); ++k) {
+      Lanes* values = old.data() + std::size_t(k) * n;
+      for (unsigned int lane = 0; lane < Lanes::n; ++lane) {
+        const double* own = memory.at(std::min(k * Lanes::n + lane, n_points - 1)).old;
+        for (unsigned int i = 0; i < n; ++i)
+          values[i].set(lane, own[i]);
+      }
+      input[k].state.history = {values, memory.dt};
+    }
+  }
+
+  std::vector<Lanes> old; ///< of each batch of points; empty where nothing remembers
 };
+
+/// What the law of a cell remembers after a step to @p view.
+template <int dim>
+void update_memory(const CellPoints<dim>& points, const CellView<dim>& view, double* now)
+{
+  for (unsigned int q = 0; q < points.n_points; ++q, now += view.memory.n)
+    view.cell.material->update_history(points.state(q), now);
+}
 
 /// The integral over one cell of @p density(material, point state).
 template <int dim, typename Density>

@@ -3,6 +3,9 @@
 #include <thelma/base/named_list.h>
 #include <thelma/elements/tangent_blocks.h>
 #include <thelma/fields/rates.h>
+#include <thelma/materials/point.h>
+
+#include <deal.II/base/quadrature.h>
 
 #include <array>
 #include <cmath>
@@ -19,6 +22,18 @@ struct CellHistory {
   std::array<const double*, 2> x, internal;
 };
 
+/// What the laws of a cell remember at its points, one after the other.
+struct CellMemory {
+  const double* old = nullptr; ///< none where no law of the scene remembers
+  unsigned int n = 0;          ///< numbers for each point
+  double dt = 0.;              ///< time since, s
+
+  PointHistory<> at(const unsigned int q) const
+  {
+    return {old ? old + std::size_t(q) * n : nullptr, dt};
+  }
+};
+
 /// One cell at one iterate.
 template <int dim>
 struct CellView {
@@ -32,6 +47,7 @@ struct CellView {
   const CellHistory* history = nullptr; ///< where structural heat is wanted
   bool keeps_pressures = false;         ///< the tangent leaves out what goes through PressureBlock
   double stabilisation = 0.;            ///< of the volume at points, MPa
+  CellMemory memory = {};
 
   bool solves_deformation() const { return solved != Solved::temperature; }
   bool solves_temperature() const { return has_temperature && solved != Solved::deformation; }
@@ -76,7 +92,7 @@ struct Elimination {
 };
 
 /// What the residuals of the fields are measured by: a stress mu in MPa, an electric displacement
-/// sqrt(eps mu), a heat flux k * 1 K/mm (theory.md, eq. 59).
+/// sqrt(eps mu), a heat flux k * 1 K/mm (theory.md, eq. 64).
 inline std::array<double, n_field_kinds> flux_units(const Material& material, const double theta)
 {
   const double mu = material.shear_modulus(theta);
@@ -117,6 +133,11 @@ public:
   /// What the cell stores in mJ (in plane strain per mm): the integrals of which residual() is the
   /// derivative, once the internal equations are solved.
   virtual Energies energies(const CellView<dim>& view) const = 0;
+
+  /// The points at which laws are evaluated and remember; what they remember at the end of a step
+  /// to this state, into @p now.
+  virtual const dealii::Quadrature<dim>& law_points() const = 0;
+  virtual void update_memory(const CellView<dim>& view, double* now) const = 0;
 
   /// Internal unknowns per cell are iterates like the nodal ones, but condensed out of each linear
   /// system: eliminate() adds what they do to the nodal residual, recover() gives their correction

@@ -38,6 +38,8 @@ public:
                   const PointState<>& state) const override;
   double stabilisation(const CellView<dim>& view) const override;
   Energies energies(const CellView<dim>& view) const override;
+  const dealii::Quadrature<dim>& law_points() const override { return full->quadrature(); }
+  void update_memory(const CellView<dim>& view, double* now) const override;
 
 protected:
   /// Take the volumetric terms by Gauss's rule of @p n_points per direction and let p and t be

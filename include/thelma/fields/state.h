@@ -3,6 +3,8 @@
 #include <thelma/fields/layout.h>
 #include <thelma/fields/rates.h>
 
+#include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -31,7 +33,19 @@ public:
     double load;
     BlockVector x;
     std::vector<double> internal;
+    std::vector<double> history = {}; ///< what laws remember at the points of the own cells
   };
+
+  /// From now on @p update tells what laws remember after a step to the iterate. They only remember
+  /// accepted states: what Newton's method tries leaves nothing behind.
+  void remember_by(std::function<std::vector<double>()> update) { remember = std::move(update); }
+
+  /// Time in s since the last accepted state; infinite where nothing depends on time.
+  double dt() const
+  {
+    return rates && !past.empty() ? time - past.back().load
+                                  : std::numeric_limits<double>::infinity();
+  }
 
   /// Begin a path at @p load with the iterate as its accepted start.
   void start(double load = 0.);
@@ -97,8 +111,12 @@ public:
   std::optional<Rates> rates;
 
 private:
+  /// The iterate, once it is accepted.
+  Accepted accepted(double load) const;
+
   static constexpr std::size_t memory = 4;
   std::vector<Accepted> past;
+  std::function<std::vector<double>()> remember; ///< none where no law remembers
 };
 
 /// A temperature of a cell in K, where one number has to do for all of it: that at its last node.

@@ -26,6 +26,7 @@ inline PointState<Directional> along(const PointState<>& state, const PointRates
     result.E[i] = moving(state.E[i], rates.E[i]);
   }
   result.theta = moving(state.theta, 0.);
+  result.history = state.history;
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <thelma/materials/gent.h>
 #include <thelma/materials/ideal_dielectric.h>
 #include <thelma/materials/material.h>
+#include <thelma/materials/maxwell_branch.h>
 #include <thelma/materials/mooney_rivlin.h>
 #include <thelma/materials/neo_hookean.h>
 
@@ -19,7 +20,7 @@ namespace thelma
 
 /// The laws a .prm can choose: one page and one name here each. The derivative test runs over
 /// every combination by itself.
-using ElasticLaws = std::tuple<NeoHookean, Gent, MooneyRivlin>;
+using ElasticLaws = std::tuple<NeoHookean, Gent, MooneyRivlin, NeoHookeanWithBranch>;
 using DielectricLaws = std::tuple<IdealDielectric>;
 
 /// Call @p visit(static_cast<ComposedMaterial<E, D>*>(nullptr), name of E, name of D) for each E,
@@ -53,8 +54,12 @@ public:
   /// Finds moduli that follow others. Throws InputError for those that make no sense at @p theta.
   void check(double theta);
 
-  /// The same of what conducts and, if the temperature changes @p in_time, stores heat.
-  void check_heat(bool in_time) const;
+  /// The same of what conducts and, if the temperature changes @p in_time, stores heat; and whether
+  /// all heat that deformation makes is known, if it is to be counted (@p with_structural_heat).
+  void check_heat(bool in_time, bool with_structural_heat) const;
+
+  /// A material with internal variables; empty if there is none.
+  std::string one_that_remembers() const;
 
   /// A line for each material: where it is, its laws and moduli at @p theta in K.
   std::vector<std::string> summary(double theta) const;

@@ -33,6 +33,17 @@ inline Energies energies(const Volumetric<>& v, const double theta)
   return {v.psi, 0., theta * v.eta, v.eta};
 }
 
+/// How many internal variables an elastic law has at a point: its constant `n_history`, or none.
+template <class Law, typename = void>
+struct HistoryOf {
+  static constexpr unsigned int n = 0;
+};
+
+template <class Law>
+struct HistoryOf<Law, std::void_t<decltype(Law::n_history)>> {
+  static constexpr unsigned int n = Law::n_history;
+};
+
 /// What the rest of the program knows of a material. Energies and derivatives leave the volumetric
 /// energy out; the element formulation adds it by its own rule.
 class Material
@@ -55,6 +66,11 @@ public:
   virtual void add_entropy_rate(const PointState<>& state, const PointRates& rates,
                                 EntropyRate& out) const = 0;
 
+  /// How many internal variables a point has; what they have become at the end of a step to
+  /// @p state, into @p now.
+  virtual unsigned int n_history() const = 0;
+  virtual void update_history(const PointState<>& state, double* now) const = 0;
+
   /// Shear modulus (MPa) and permittivity (N/kV^2) of the undeformed material.
   virtual double shear_modulus(double theta) const = 0;
   virtual double permittivity(double theta) const = 0;
@@ -64,7 +80,9 @@ public:
 
 /// The free energy of theory.md, eq. 4, from an elastic and a dielectric law:
 ///   psi = (theta/theta_0) [W(F_EM, theta) + U(J_EM)] + psi_dielectric(F, E, theta) + psi_t(theta).
-/// Number-generic, so that Sacado can differentiate each function and the tests compare.
+/// If the elastic law has internal variables, W is its incremental potential (theory.md, eq. 37):
+/// while time passes it counts what flow dissipates as well as what is stored. Number-generic, so
+/// that Sacado can differentiate each function and the tests compare.
 template <class Elastic, class Dielectric>
 class ComposedMaterial final : public Material
 {
@@ -84,8 +102,8 @@ public:
     const Number s = thermal.split(state.theta);
     const Tensor3<2, Number> F_EM = s * state.F;
     const Number J_EM = kin.J * s * s * s;
-    return state.theta / thermal.theta_0 * elastic.W(F_EM, J_EM, state.theta) +
-           dielectric.psi(state, kin) + thermal.psi(state.theta);
+    return state.theta / thermal.theta_0 * W(F_EM, J_EM, state) + dielectric.psi(state, kin) +
+           thermal.psi(state.theta);
   }
 
   template <typename Number>
@@ -118,7 +136,10 @@ public:
     const Split<Number> em(*this, state, kin);
     const Number f = state.theta / thermal.theta_0;
     const double alpha = thermal.alpha;
-    out.dP_dF = elastic.second(em.F, em.kin, state.theta);
+    if constexpr (remembers)
+      out.dP_dF = elastic.second(em.F, em.kin, state.theta, state.history);
+    else
+      out.dP_dF = elastic.second(em.F, em.kin, state.theta);
     const Tensor3<2, Number> W_FF_F = apply(out.dP_dF, em.F);
     out.dP_dF *= f * em.s * em.s;
     out.dP_dtheta = em.s * ((1. / thermal.theta_0 - alpha * f) * em.d.W_F +
@@ -166,10 +187,30 @@ public:
     thelma::add_entropy_rate(second_derivatives(along(state, rates)), rates, out);
   }
 
+  unsigned int n_history() const override { return HistoryOf<Elastic>::n; }
+
+  void update_history(const PointState<>& state, double* now) const override
+  {
+    if constexpr (remembers)
+      elastic.update_history(thermal.split(state.theta) * state.F, state.history, now);
+  }
+
   double shear_modulus(const double theta) const override { return elastic.shear_modulus(theta); }
   double permittivity(const double theta) const override { return dielectric.permittivity(theta); }
 
 private:
+  static constexpr bool remembers = HistoryOf<Elastic>::n > 0;
+
+  template <typename Number>
+  Number W(const Tensor3<2, Number>& F_EM, const Number& J_EM,
+           const PointState<Number>& state) const
+  {
+    if constexpr (remembers)
+      return elastic.W(F_EM, J_EM, state.theta, state.history);
+    else
+      return elastic.W(F_EM, J_EM, state.theta);
+  }
+
   /// The electro-mechanical part of the deformation and the elastic law at it.
   template <typename Number>
   struct Split {
@@ -179,7 +220,10 @@ private:
     {
       kin.J = total.J * s * s * s;
       kin.G = total.G / s;
-      d = m.elastic.first(F, kin, state.theta);
+      if constexpr (remembers)
+        d = m.elastic.first(F, kin, state.theta, state.history);
+      else
+        d = m.elastic.first(F, kin, state.theta);
     }
 
     Number s;

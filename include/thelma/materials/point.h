@@ -5,6 +5,8 @@
 #include <deal.II/base/tensor.h>
 
 #include <cmath>
+#include <limits>
+#include <type_traits>
 
 /// The point physics is always three-dimensional and independent of any mesh. Components follow
 /// the paper: P_iJ = P[i][J], dP_iJ/dF_kL = dP_dF[i][J][k][L]. Units: mm, N, MPa, kV, K.
@@ -14,13 +16,29 @@ namespace thelma
 template <int rank, typename Number = double>
 using Tensor3 = dealii::Tensor<rank, 3, Number>;
 
-/// What a material law sees: deformation gradient F, nominal electric field E in kV/mm and
-/// absolute temperature theta in K.
+/// A value that is given whatever is differentiated: one, or one for each lane.
+template <typename Number>
+using Given = std::conditional_t<std::is_same<Number, Lanes>::value, Lanes, double>;
+
+/// What a law with internal variables sees of the past of a point: their values in the last
+/// accepted state and the time in s since. After infinite time all has relaxed, whatever was
+/// before.
+template <typename Value = double>
+struct PointHistory {
+  const Value* old = nullptr; ///< none before the first state, and where no law remembers
+  double time = 0.;           ///< s; of zeros alone, a history costs nothing to begin with
+
+  double dt() const { return old ? time : std::numeric_limits<double>::infinity(); }
+};
+
+/// What a material law sees: deformation gradient F, nominal electric field E in kV/mm, absolute
+/// temperature theta in K and what it remembers.
 template <typename Number = double>
 struct PointState {
   Tensor3<2, Number> F;
   Tensor3<1, Number> E;
   Number theta;
+  PointHistory<Given<Number>> history = {};
 };
 
 /// P in MPa, D in N/(kV mm), eta in MPa/K.

@@ -51,6 +51,7 @@ public:
 
   /// The system that tells of the reactions of a state in time.
   System<dim>& system() { return is_monolithic() ? heated : deformation; }
+  bool makes_heat() const { return structural_heat != StructuralHeat::none; }
   double final_time() const { return stepper.final_time(); }
 
   /// How time is treated, and which coupling is cheaper, and why.

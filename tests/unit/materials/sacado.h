@@ -19,6 +19,7 @@ inline PointState<Ad> seeded(const PointState<>& state)
     ad.E[i] = Ad(13, 9 + i, state.E[i]);
   }
   ad.theta = Ad(13, 12, state.theta);
+  ad.history = state.history;
   return ad;
 }
 

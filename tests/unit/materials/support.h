@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <list>
 #include <map>
 #include <memory>
 #include <random>
@@ -145,8 +146,21 @@ public:
     return rotation() * stretch * rotation();
   }
 
+  /// A law that remembers has relaxed at another deformation 0.1 to 100 s ago.
+  PointHistory<> history(const Material& material)
+  {
+    if (material.n_history() == 0)
+      return {};
+    memories.emplace_back(material.n_history());
+    PointState<> before;
+    before.F = deformation();
+    before.theta = uniform(250., 400.);
+    material.update_history(before, memories.back().data());
+    return {memories.back().data(), std::pow(10., uniform(-1., 2.))};
+  }
+
   /// 250 to 400 K and |E| up to twice the nominal field 0.687 sqrt(mu/eps) at which a free planar
-  /// film pulls in (theory.md, eq. 36).
+  /// film pulls in (theory.md, eq. 41).
   PointState<> next(const Material& material)
   {
     PointState<> state;
@@ -155,11 +169,13 @@ public:
     const double unit_field =
         std::sqrt(material.shear_modulus(state.theta) / material.permittivity(state.theta));
     state.E = uniform(0., 2. * 0.687) * unit_field * direction();
+    state.history = history(material);
     return state;
   }
 
 private:
   std::mt19937 engine{20240229};
+  std::list<std::vector<double>> memories; ///< of all states, which refer to them
 };
 
 /// The largest relative error of each named block over many states:
