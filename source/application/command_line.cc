@@ -110,6 +110,10 @@ void require_consistent(const CommandLine& line)
                      "leave it out, or add --sweep");
 }
 
+const std::vector<std::string> known_options{
+    "--set",   "--sweep", "--ranks-per-case", "--output",  "--estimate", "--restart",
+    "--check", "--list",  "--defaults",       "--version", "--help"};
+
 } // namespace
 
 CommandLine CommandLine::parse(const std::vector<std::string>& given)
@@ -159,9 +163,7 @@ CommandLine CommandLine::parse(const std::vector<std::string>& given)
       show(Action::help);
     else if (word.rfind('-', 0) == 0)
       throw InputError("command line: unknown option '" + word + "'" +
-                       known_ones(word, {"--set", "--sweep", "--ranks-per-case", "--output",
-                                         "--estimate", "--restart", "--check", "--list",
-                                         "--defaults", "--version", "--help"}));
+                       known_ones(word, known_options));
     else if (!line.file.empty())
       throw InputError("command line: two parameter files, '" + line.file + "' and '" + word +
                        "'; give one");

@@ -2,6 +2,7 @@
 #include <thelma/application/estimate.h>
 #include <thelma/application/run_command.h>
 #include <thelma/application/run_scene.h>
+#include <thelma/application/time_refinement.h>
 #include <thelma/output/checkpoints.h>
 #include <thelma/output/curve.h>
 
@@ -57,45 +58,6 @@ struct Entries {
   }
   bool is_transient() const { return temperature == "transient" || analysis == "transient"; }
 };
-
-/// The time in s at the end of every step of the run in @p folder.
-std::vector<double> step_times(const MPI_Comm comm, const std::string& folder)
-{
-  std::vector<double> times;
-  on_rank_0(comm, [&]() {
-    std::ifstream curve(folder + "/curve.csv");
-    std::string line;
-    std::getline(curve, line);
-    const std::vector<std::string> names = dealii::Utilities::split_string_list(line);
-    const auto column = std::find(names.begin(), names.end(), "time_s") - names.begin();
-    while (std::getline(curve, line)) {
-      const double time = std::stod(dealii::Utilities::split_string_list(line).at(column));
-      if (time > (times.empty() ? 0. : times.back()))
-        times.push_back(time);
-    }
-  });
-  return dealii::Utilities::MPI::broadcast(comm, times);
-}
-
-/// Entries by which every step to @p times is taken in @p parts.
-std::vector<Override> steps_in_parts(const std::vector<double>& times, const unsigned int parts)
-{
-  std::ostringstream stops;
-  stops << std::setprecision(17);
-  double from = 0.;
-  for (const double to : times) {
-    for (unsigned int part = 1; part <= parts; ++part)
-      stops << (from == 0. && part == 1 ? "" : ", ")
-            << (part == parts ? to : from + (to - from) * part / parts);
-    from = to;
-  }
-  std::ostringstream longest;
-  longest << std::setprecision(17) << times.back();
-  return {{{"Time"}, "Stops", stops.str()},
-          {{"Time"}, "Tolerance", "0"},
-          {{"Time"}, "Initial step", longest.str()},
-          {{"Time"}, "Largest step", longest.str()}};
-}
 
 std::string table(const std::vector<Estimate>& estimates)
 {

@@ -1,6 +1,5 @@
 #include <thelma/base/complaints.h>
 #include <thelma/base/error.h>
-#include <thelma/base/option_names.h>
 #include <thelma/base/parameters.h>
 #include <thelma/fields/duplicates.h>
 #include <thelma/fields/layout.h>
@@ -15,13 +14,6 @@
 
 namespace thelma
 {
-
-std::string field_name(const Field field)
-{
-  static const std::array<std::string, n_field_kinds> names{{"displacement u", "potential phi",
-                                                            "temperature theta"}};
-  return names[static_cast<std::size_t>(field)];
-}
 
 template <int dim>
 void FieldLayout<dim>::declare(dealii::ParameterHandler& prm)
@@ -38,20 +30,7 @@ void FieldLayout<dim>::declare(dealii::ParameterHandler& prm)
                       "Regions that carry no electric field; the potential is not solved there.",
                       List(Anything(), 0, 100));
   }
-  {
-    const Section section(prm, {"Time"});
-    OptionNames<Analysis>({{"automatic", Analysis::automatic}, {"transient", Analysis::transient}})
-        .declare(prm, "Analysis", analysis,
-                 "`automatic`: in time where a temperature field is transient; `transient`: in "
-                 "time, after the stages, under loads that follow their amplitudes.");
-  }
-  const Section section(prm, {"Temperature"});
-  OptionNames<TemperatureModel>({{"uniform", TemperatureModel::uniform},
-                                 {"steady", TemperatureModel::steady},
-                                 {"transient", TemperatureModel::transient}})
-      .declare(prm, "Model", temperature_model,
-               "`uniform`: a number, no unknowns; `steady`: conduction in the deformed body; "
-               "`transient`: the same over time, from the uniform Value at time 0.");
+  FieldSet<dim>::declare(prm);
 }
 
 template <int dim>
@@ -77,34 +56,18 @@ void FieldLayout<dim>::setup(const Mesh<dim>& mesh, const MaterialLibrary& mater
     return std::find(passive_regions.begin(), passive_regions.end(), region) !=
            passive_regions.end();
   };
-  present = {Field::displacement};
-  if (!std::all_of(regions.begin(), regions.end(), is_passive))
-    present.push_back(Field::potential);
-  if (temperature_model != TemperatureModel::uniform)
-    present.push_back(Field::temperature);
-  place_fields();
+  this->choose_fields(!std::all_of(regions.begin(), regions.end(), is_passive));
 
   build_elements();
   cell_mapping = std::make_unique<dealii::MappingQ<dim>>(mesh.is_curved() ? polynomial_degree : 1);
   dofs.reinit(mesh.triangulation());
   for (const auto& cell : dofs.active_cell_iterators())
     if (cell->is_locally_owned())
-      cell->set_active_fe_index(has(Field::potential) && is_passive(mesh.region_of(cell)) ? 1 : 0);
+      cell->set_active_fe_index(
+          this->has(Field::potential) && is_passive(mesh.region_of(cell)) ? 1 : 0);
   dofs.distribute_dofs(elements);
   number_blockwise();
   collect_cells(mesh, materials);
-}
-
-template <int dim>
-void FieldLayout<dim>::place_fields()
-{
-  unsigned int block = 0, component = 0;
-  field_places.fill(std::nullopt);
-  for (const Field field : present) {
-    const unsigned int n = field == Field::displacement ? dim : 1;
-    field_places[static_cast<std::size_t>(field)] = FieldPlace{block++, component, n};
-    component += n;
-  }
 }
 
 template <int dim>
@@ -113,10 +76,10 @@ void FieldLayout<dim>::build_elements()
   scalar = std::make_unique<dealii::FE_Q<dim>>(polynomial_degree);
   const dealii::FE_Nothing<dim> nothing;
   for (const bool with_potential : {true, false}) {
-    if (!with_potential && !has(Field::potential))
+    if (!with_potential && !this->has(Field::potential))
       break;
     std::vector<const dealii::FiniteElement<dim>*> bases;
-    for (const Field field : present) {
+    for (const Field field : this->fields()) {
       const bool absent = field == Field::potential && !with_potential;
       const dealii::FiniteElement<dim>* base = scalar.get();
       bases.insert(bases.end(), (*this)[field].n_components, absent ? &nothing : base);
@@ -124,10 +87,10 @@ void FieldLayout<dim>::build_elements()
     elements.push_back(dealii::FESystem<dim>(bases, std::vector<unsigned int>(bases.size(), 1)));
 
     const dealii::FiniteElement<dim>& fe = elements[elements.size() - 1];
-    position.emplace_back(scalar->dofs_per_cell * n_components(), -1);
+    position.emplace_back(scalar->dofs_per_cell * this->n_components(), -1);
     for (unsigned int i = 0; i < fe.dofs_per_cell; ++i) {
       const auto [c, a] = fe.system_to_component_index(i);
-      position.back()[a * n_components() + c] = static_cast<int>(i);
+      position.back()[a * this->n_components() + c] = static_cast<int>(i);
     }
   }
 }
@@ -136,8 +99,8 @@ template <int dim>
 void FieldLayout<dim>::number_blockwise()
 {
   std::vector<unsigned int> block_of;
-  for (const Field field : present)
-    block_of.insert(block_of.end(), (*this)[field].n_components, block(field));
+  for (const Field field : this->fields())
+    block_of.insert(block_of.end(), (*this)[field].n_components, this->block(field));
   dealii::DoFRenumbering::component_wise(dofs, block_of);
 
   const auto sizes = dealii::DoFTools::count_dofs_per_fe_block(dofs, block_of);
@@ -172,13 +135,13 @@ void FieldLayout<dim>::collect_cells(const Mesh<dim>& mesh, const MaterialLibrar
       const unsigned int fe_index = iterator->active_fe_index();
       cell.iterator = iterator;
       cell.material = &materials.of_region(mesh.region_of(iterator));
-      cell.has_potential = has(Field::potential) && fe_index == 0;
+      cell.has_potential = this->has(Field::potential) && fe_index == 0;
       unknowns(iterator, indices);
       for (const int i : position[fe_index])
         if (i >= 0)
           cell.dofs.push_back(indices[i]);
       cell.n_components = 0;
-      for (const Field field : present)
+      for (const Field field : this->fields())
         if (field != Field::potential || cell.has_potential) {
           cell.components[static_cast<std::size_t>(field)] = cell.n_components;
           cell.n_components += (*this)[field].n_components;
@@ -215,22 +178,8 @@ void FieldLayout<dim>::complete(BlockVector& x) const
 template <int dim>
 dealii::types::global_dof_index FieldLayout<dim>::n_dofs(const Field field) const
 {
-  const unsigned int b = block(field);
+  const unsigned int b = this->block(field);
   return owned_dofs[b].size() - n_duplicates[b];
-}
-
-template <int dim>
-bool FieldLayout<dim>::has(const Field field) const
-{
-  return std::find(present.begin(), present.end(), field) != present.end();
-}
-
-template <int dim>
-const FieldPlace& FieldLayout<dim>::operator[](const Field field) const
-{
-  const auto& place = field_places[static_cast<std::size_t>(field)];
-  AssertThrow(place, dealii::ExcInternalError());
-  return *place;
 }
 
 template <int dim>
@@ -240,13 +189,6 @@ unsigned int FieldLayout<dim>::block_of_dof(dealii::types::global_dof_index dof)
   for (; dof >= owned_dofs[b].size(); ++b)
     dof -= owned_dofs[b].size();
   return b;
-}
-
-template <int dim>
-unsigned int FieldLayout<dim>::n_components() const
-{
-  const FieldPlace& last = (*this)[present.back()];
-  return last.component + last.n_components;
 }
 
 template <int dim>
@@ -260,7 +202,7 @@ template <int dim>
 template <typename Visitor>
 void FieldLayout<dim>::for_each_unknown(const Cell<dim>& cell, const Visitor& visit) const
 {
-  for (const Field field : present) {
+  for (const Field field : this->fields()) {
     if (field == Field::potential && !cell.has_potential)
       continue;
     const FieldPlace& place = (*this)[field];
@@ -295,7 +237,7 @@ std::optional<unsigned int> FieldLayout<dim>::local_dof(const unsigned int fe_in
                                                         const unsigned int a,
                                                         const unsigned int c) const
 {
-  const int i = position[fe_index][a * n_components() + c];
+  const int i = position[fe_index][a * this->n_components() + c];
   return i < 0 ? std::nullopt : std::optional<unsigned int>(i);
 }
 
@@ -304,17 +246,17 @@ std::vector<std::string> FieldLayout<dim>::summary() const
 {
   std::vector<std::string> lines;
   std::string solved;
-  for (const Field field : present)
+  for (const Field field : this->fields())
     solved += (solved.empty() ? "" : ", ") + field_name(field) + " (" +
               std::to_string(n_dofs(field)) + " unknowns)";
   lines.push_back("solved for: " + solved + ", degree " + std::to_string(polynomial_degree) +
                   (dim == 2 ? ", plane strain" : ""));
-  if (!has(Field::potential))
+  if (!this->has(Field::potential))
     lines.emplace_back("left out: potential, because every region is passive");
   else if (!passive_regions.empty())
     lines.push_back("left out: potential in " + comma_separated(passive_regions) +
                     ", because Regions/Passive says so");
-  if (!has(Field::temperature))
+  if (!this->has(Field::temperature))
     lines.emplace_back("left out: temperature field, because Temperature/Model is uniform");
   return lines;
 }

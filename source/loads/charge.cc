@@ -24,7 +24,10 @@ public:
   bool is_present() const override { return has_potential; }
   SceneEntry entry() const override { return {"Electrodes", "Floating"}; }
   Field acts_on() const override { return Field::potential; }
-  std::string amplitude() const override { return "Charge"; }
+  AmplitudeEntry amplitude() const override
+  {
+    return {"Charge", "Multiple of the charge of floating electrodes"};
+  }
   LevelText text() const override { return {"", " uC", target}; }
 
   void check(const Stages& stages, const std::string& /*name*/,

@@ -58,7 +58,7 @@ public:
 
   bool is_present() const override { return !coefficients.empty(); }
   SceneEntry entry() const override { return {"Heat", "Convection"}; }
-  std::string amplitude() const override { return "Wall"; }
+  AmplitudeEntry amplitude() const override { return wall_amplitude; }
 
   void check_level(const double time, const double level) const override
   {

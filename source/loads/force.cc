@@ -81,7 +81,7 @@ public:
   bool is_present() const override { return !texts.empty(); }
   SceneEntry entry() const override { return {"Loads", "Force"}; }
   Field acts_on() const override { return Field::displacement; }
-  std::string amplitude() const override { return "Force"; }
+  AmplitudeEntry amplitude() const override { return {"Force", "Multiple of the forces"}; }
   LevelText text() const override { return {"", " times the force"}; }
 
   void add_forces(const double factor, const double level, const State& /*state*/,

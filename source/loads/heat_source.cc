@@ -48,7 +48,7 @@ public:
 
   bool is_present() const override { return !sources.empty(); }
   SceneEntry entry() const override { return {"Heat", "Source"}; }
-  std::string amplitude() const override { return "Heat"; }
+  AmplitudeEntry amplitude() const override { return heat_amplitude; }
   bool acts_at_once() const override { return false; }
 
   void add_forces(const double factor, const double level, const State& /*state*/,

@@ -17,10 +17,10 @@ Loads<dim>::Loads()
   for (const std::string& name : load_kinds<dim>().names())
     items.push_back({name, load_kinds<dim>().create(name)});
   for (const Item& item : items)
-    if (const std::string name = item.load->amplitude();
+    if (const std::string name = item.load->amplitude().name;
         !name.empty() && std::none_of(amplitudes.begin(), amplitudes.end(),
                                       [&](const auto& known) { return known.name == name; }))
-      amplitudes.push_back({name, "1", {}});
+      amplitudes.push_back({name, item.load->amplitude().meaning, "1", {}});
 }
 
 template <int dim>
@@ -29,16 +29,11 @@ void Loads<dim>::declare(dealii::ParameterHandler& prm)
   for (const Item& item : items)
     item.load->declare(prm);
   const Section section(prm, {"Time"});
-  for (GivenAmplitude& given : amplitudes) {
-    std::string entries;
-    for (const Item& item : items)
-      if (item.load->amplitude() == given.name)
-        entries += (entries.empty() ? "" : " and ") + item.load->entry().path();
+  for (GivenAmplitude& given : amplitudes)
     prm.add_parameter(given.entry(), given.text,
-                      "Multiple of " + entries +
+                      given.meaning +
                           " over time, an expression of t (s) or a table `0: 0, 2.5: 1`.",
                       dealii::Patterns::Anything());
-  }
 }
 
 template <int dim>
@@ -173,7 +168,7 @@ void Loads<dim>::read_amplitudes(const std::optional<double> end)
 template <int dim>
 double Loads<dim>::amplitude(const std::size_t index, const double time) const
 {
-  const std::string name = items[index].load->amplitude();
+  const std::string name = items[index].load->amplitude().name;
   const auto given = std::find_if(amplitudes.begin(), amplitudes.end(),
                                   [&](const auto& known) { return known.name == name; });
   return given == amplitudes.end() ? 1. : (*given->amplitude)(time);
@@ -215,7 +210,7 @@ std::map<std::string, std::string> Loads<dim>::idle_amplitudes() const
     std::string entries;
     bool multiplies = false;
     for (const Item& item : items)
-      if (item.load->amplitude() == given.name) {
+      if (item.load->amplitude().name == given.name) {
         multiplies = multiplies || item.load->is_present();
         entries += (entries.empty() ? "" : " or ") + item.load->entry().path();
       }

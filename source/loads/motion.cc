@@ -16,7 +16,10 @@ public:
   bool is_present() const override { return conditions != nullptr && !conditions->moved().empty(); }
   SceneEntry entry() const override { return {"Supports", "Moved"}; }
   Field acts_on() const override { return Field::displacement; }
-  std::string amplitude() const override { return "Motion"; }
+  AmplitudeEntry amplitude() const override
+  {
+    return {"Motion", "Part of the way of the moved supports"};
+  }
   LevelText text() const override { return {"", " of the way of the moved supports"}; }
 
   void prescribe(State& state) const override

@@ -44,7 +44,7 @@ public:
   bool is_present() const override { return !values.empty(); }
   SceneEntry entry() const override { return {"Loads", "Pressure"}; }
   Field acts_on() const override { return Field::displacement; }
-  std::string amplitude() const override { return "Pressure"; }
+  AmplitudeEntry amplitude() const override { return {"Pressure", "Multiple of the pressures"}; }
   LevelText text() const override { return {"", " times the pressure"}; }
 
   /// Eq. (56).

@@ -24,7 +24,7 @@ public:
   Field acts_on() const override { return Field::temperature; }
   bool has_stage() const override { return false; }
   bool is_heating() const override { return true; }
-  std::string amplitude() const override { return ""; }
+  AmplitudeEntry amplitude() const override { return {}; }
 
   void prescribe(State& state) const override
   {

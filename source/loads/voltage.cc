@@ -27,7 +27,7 @@ public:
   bool is_present() const override { return layout->has(Field::potential); }
   SceneEntry entry() const override { return {"Electrodes", "Potential"}; }
   Field acts_on() const override { return Field::potential; }
-  std::string amplitude() const override { return "Voltage"; }
+  AmplitudeEntry amplitude() const override { return {"Voltage", "Multiple of the voltage"}; }
   LevelText text() const override { return {"e = ", "", field}; }
 
   void check(const Stages& stages, const std::string& name, const std::size_t index) const override

@@ -24,7 +24,7 @@ public:
     return conditions != nullptr && !conditions->heated().empty();
   }
   SceneEntry entry() const override { return {"Temperature", "Fixed"}; }
-  std::string amplitude() const override { return "Wall"; }
+  AmplitudeEntry amplitude() const override { return wall_amplitude; }
 
   void check_level(const double time, const double level) const override
   {

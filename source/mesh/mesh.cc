@@ -13,6 +13,19 @@ namespace thelma
 {
 
 template <int dim>
+std::uint8_t face_vertices(const unsigned int f)
+{
+  using Geometry = dealii::GeometryInfo<dim>;
+  std::uint8_t mask = 0;
+  for (unsigned int v = 0; v < Geometry::vertices_per_face; ++v)
+    mask |= 1u << Geometry::face_to_cell_vertices(f, v);
+  return mask;
+}
+
+template std::uint8_t face_vertices<2>(unsigned int);
+template std::uint8_t face_vertices<3>(unsigned int);
+
+template <int dim>
 Mesh<dim>::Mesh(const MPI_Comm comm) : tria(comm)
 {
 }

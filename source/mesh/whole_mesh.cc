@@ -14,18 +14,6 @@
 namespace thelma
 {
 
-template <int dim>
-std::uint8_t face_vertices(const unsigned int f)
-{
-  std::uint8_t mask = 0;
-  for (unsigned int v = 0; v < dealii::GeometryInfo<dim>::vertices_per_face; ++v)
-    mask |= 1u << dealii::GeometryInfo<dim>::face_to_cell_vertices(f, v);
-  return mask;
-}
-
-template std::uint8_t face_vertices<2>(unsigned int);
-template std::uint8_t face_vertices<3>(unsigned int);
-
 namespace
 {
 
@@ -287,11 +275,11 @@ MeshTable WholeMesh<dim>::table() const
   const auto counted = [](const std::size_t n, const std::string& one, const std::string& several) {
     return std::to_string(n) + " " + (n == 1 ? one : several);
   };
-  result.remarks = contacts(*this);
-  result.remarks.insert(result.remarks.begin(),
-                        "mesh: " + counted(cells.size(), "cell", "cells") + ", " +
-                            counted(known.regions.size(), "region", "regions") + ", " +
-                            counted(n_bodies(), "body", "bodies"));
+  result.remarks = {"mesh: " + counted(cells.size(), "cell", "cells") + ", " +
+                    counted(known.regions.size(), "region", "regions") + ", " +
+                    counted(n_bodies(), "body", "bodies")};
+  const std::vector<std::string> doubts = contacts(*this);
+  result.remarks.insert(result.remarks.end(), doubts.begin(), doubts.end());
   return result;
 }
 

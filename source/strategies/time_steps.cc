@@ -22,6 +22,15 @@ OptionNames<StructuralHeat> structural_heats()
            {"entropy", StructuralHeat::entropy}}};
 }
 
+/// Times in s of the accepted states.
+std::vector<double> times_of(const State& state)
+{
+  std::vector<double> times;
+  for (const State::Accepted& accepted : state.path())
+    times.push_back(accepted.load);
+  return times;
+}
+
 } // namespace
 
 template <int dim>
@@ -69,15 +78,6 @@ void TimeSteps<dim>::start()
   state.start();
 }
 
-template <int dim>
-std::vector<double> TimeSteps<dim>::times() const
-{
-  std::vector<double> result;
-  for (const auto& accepted : state.path())
-    result.push_back(accepted.load);
-  return result;
-}
-
 /// The loads of the @p time, or so many of all parts of their way there.
 template <int dim>
 void TimeSteps<dim>::prescribe(const double time, const unsigned int part)
@@ -96,7 +96,7 @@ StepReport TimeSteps<dim>::advance()
 {
   StepReport step;
   step.load = stepper.next();
-  state.rates = backward_differences(step.load, times(), stepper.order());
+  state.rates = backward_differences(step.load, times_of(state), stepper.order());
   state.rates->heat = structural_heat;
   predictor.predict(step.load, LoadSymmetry::none);
   for (unsigned int part = 1; part <= parts; ++part) {
@@ -125,7 +125,7 @@ NewtonReport TimeSteps<dim>::solve(const bool is_last_part, const bool extrapola
   }
   const NewtonReport warmed = equilibrium.solver().solve(heated);
   if (warmed.converged && is_last_part)
-    step_error = find_error();
+    step_error = temperature_error(layout, conditions, state, stepper.order(), longer);
   const bool deforms = !is_monolithic() && (!is_last_part || stepper.tolerates(step_error));
   if (!warmed.converged || !deforms)
     return warmed;
@@ -147,7 +147,7 @@ NewtonReport TimeSteps<dim>::deform(const bool extrapolates)
 template <int dim>
 bool TimeSteps<dim>::loads_are_steady() const
 {
-  for (const double time : times()) {
+  for (const double time : times_of(state)) {
     const std::vector<double> then = loads.levels_at(time);
     for (std::size_t i = 0; i < loads.size(); ++i)
       if (loads[i].acts_on() != Field::temperature && then[i] != loads[i].level())
@@ -184,44 +184,6 @@ void TimeSteps<dim>::accept(const StepReport& step, Recorder& recorder)
   now.next_step = stepper.step();
   now.part = state.time / final_time();
   recorder.record(now);
-}
-
-/// Root mean square over the nodes of the distance (K) of the temperature at one moment from the
-/// polynomial through others; nothing where it is prescribed, as at walls that jump.
-template <int dim>
-double TimeSteps<dim>::distance(const Moment& moment, const std::vector<Moment>& others) const
-{
-  BlockVector difference = *moment.x;
-  for (const Moment& a : others) {
-    double weight = 1.;
-    for (const Moment& b : others)
-      if (b.time != a.time)
-        weight *= (moment.time - b.time) / (a.time - b.time);
-    difference.add(-weight, *a.x);
-  }
-  difference.zero_out_ghost_values();
-  conditions.constraints().set_zero(difference);
-  const auto& theta = difference.block(layout.block(Field::temperature));
-  return theta.l2_norm() / std::sqrt(static_cast<double>(theta.size()));
-}
-
-/// Unknown for a first step before there is a longer one to compare it with.
-template <int dim>
-std::optional<StepError> TimeSteps<dim>::find_error() const
-{
-  const auto& path = state.path();
-  const Moment now = {state.time, &state.x};
-  if (path.size() == 1 && !longer)
-    return {};
-  if (path.size() == 1)
-    return StepError{first_error_share(state.time, longer->load) *
-                         distance({longer->load, &longer->x}, {{0., &path[0].x}, now}),
-                     1};
-  const unsigned int order = std::min<std::size_t>(stepper.order(), path.size() - 1);
-  std::vector<Moment> newest;
-  for (std::size_t k = path.size() - order - 1; k < path.size(); ++k)
-    newest.push_back({path[k].load, &path[k].x});
-  return StepError{error_share(state.time, times(), order) * distance(now, newest), order};
 }
 
 /// Unless there is no state, the step was too long for the tolerance.

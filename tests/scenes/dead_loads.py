@@ -51,6 +51,31 @@ def check_film(program, folder, ranks):
     require(worst < 1e-8, f"a stretch is off by {worst}")
 
 
+def check_film_in_time(program, folder, ranks):
+    """Weight and voltage follow their amplitudes through time, without a temperature field."""
+    def force(t):
+        return 1 + 0.5 * math.sin(3 * t)
+
+    entries = {"Time/Analysis": "transient", "Time/End": "2", "Time/Initial step": "0.1",
+               "Time/Largest step": "0.2", "Time/Force amplitude": "1 + 0.5*sin(3*t)",
+               "Time/Voltage amplitude": "0: 0.5, 1: 1, 2: 0.2"}
+    curve = program.run("verification/dead_load", folder, *settings(entries), ranks=ranks).curve(
+        "load", "time_s", "e", "lambda_1", "lambda_3")
+    material = planar_exact.Material()
+
+    def exact(row):
+        level = force(row["time_s"]) if row["time_s"] > 0 else min(row["load"], 1)
+        return stretches(material, 0.4 * level / AREA, material.field(row["e"], 293))[::2]
+
+    worst = largest_error(curve, ("lambda_1", "lambda_3"), exact)
+    voltages = [0.3 * (0.5 + 0.5 * t if t < 1 else 1 - 0.8 * (t - 1)) for t in curve["time_s"]]
+    off = max(abs(e - v) for t, e, v in zip(curve["time_s"], curve["e"], voltages) if t > 0)
+    print(f"{ranks} rank(s): {sum(t > 0 for t in curve['time_s'])} states of the film in time, "
+          f"largest error {worst:.1e}, of e {off:.1e}")
+    validated("dead_load in time", "lambda_1, lambda_3 of every state", "exact, homogeneous", worst)
+    require(worst < 1e-8 and off < 1e-12 and curve["time_s"][-1] == 2, "wrong states in time")
+
+
 def check_column(program, folder, ranks):
     """Euler's load of the clamped column, 4 mu for its modulus in plane strain."""
     case = program.run("verification/column", folder, ranks=ranks)
@@ -108,6 +133,7 @@ def main():
     for ranks in all_ranks:
         with tempfile.TemporaryDirectory() as folder:
             check_film(program, Path(folder) / "film", ranks)
+            check_film_in_time(program, Path(folder) / "time", ranks)
             check_column(program, Path(folder) / "column", ranks)
     with tempfile.TemporaryDirectory() as folder:
         check_ledger(program, folder)

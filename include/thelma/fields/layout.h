@@ -1,12 +1,12 @@
 #pragma once
 
+#include <thelma/fields/field_set.h>
 #include <thelma/materials/list.h>
 #include <thelma/mesh/mesh.h>
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_values_extractors.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/hp/fe_collection.h>
 #include <deal.II/lac/la_parallel_block_vector.h>
@@ -22,18 +22,6 @@ namespace thelma
 {
 
 using BlockVector = dealii::LinearAlgebra::distributed::BlockVector<double>;
-
-/// In the order of their blocks and components. A new scalar field is a line here and one in
-/// field_name().
-enum class Field { displacement, potential, temperature };
-constexpr std::size_t n_field_kinds = 3;
-
-/// Which of them a system solves for; the others are given. Displacement and potential together are
-/// the deformation.
-enum class Solved { all, deformation, temperature };
-
-/// "displacement u", "potential phi", "temperature theta".
-std::string field_name(Field field);
 
 /// One locally owned cell as the element formulations need it. Local degrees of freedom are
 /// ordered node by node: (u_1 .. u_dim, phi, theta) of node 0, of node 1, ...
@@ -67,25 +55,10 @@ struct Cell {
   }
 };
 
-/// Where a field stands among the components and blocks of all fields.
-struct FieldPlace {
-  unsigned int block, component; ///< the first of a vector
-  unsigned int n_components;
-
-  dealii::FEValuesExtractors::Scalar scalar() const
-  {
-    return dealii::FEValuesExtractors::Scalar(component);
-  }
-  dealii::FEValuesExtractors::Vector vector() const
-  {
-    return dealii::FEValuesExtractors::Vector(component);
-  }
-};
-
 /// Which field lives where, and the numbering: displacement everywhere, potential only in regions
 /// that carry a field, temperature only where it is solved for.
 template <int dim>
-class FieldLayout
+class FieldLayout : public FieldSet<dim>
 {
 public:
   void declare(dealii::ParameterHandler& prm);
@@ -93,25 +66,6 @@ public:
   /// Distribute the degrees of freedom of @p mesh; a component with no unknowns is left out.
   void setup(const Mesh<dim>& mesh, const MaterialLibrary& materials);
 
-  bool has(Field field) const;
-
-  /// Whether the scene evolves in time, and whether its temperature does so as a field.
-  bool is_transient() const
-  {
-    return analysis == Analysis::transient || has_transient_temperature();
-  }
-  bool has_transient_temperature() const
-  {
-    return temperature_model == TemperatureModel::transient;
-  }
-
-  /// Fields in the order of their blocks and components.
-  const std::vector<Field>& fields() const { return present; }
-
-  /// Of a field that is there.
-  const FieldPlace& operator[](Field field) const;
-  unsigned int block(const Field field) const { return (*this)[field].block; }
-  unsigned int n_components() const;
   unsigned int block_of_dof(dealii::types::global_dof_index dof) const;
 
   const dealii::DoFHandler<dim>& dof_handler() const { return dofs; }
@@ -168,23 +122,15 @@ public:
   std::vector<std::string> summary() const;
 
 private:
-  enum class TemperatureModel { uniform, steady, transient };
-  enum class Analysis { automatic, transient };
-
   void build_elements();
   void number_blockwise();
-  void place_fields();
   template <typename Visitor>
   void for_each_unknown(const Cell<dim>& cell, const Visitor& visit) const;
   void collect_cells(const Mesh<dim>& mesh, const MaterialLibrary& materials);
 
   unsigned int polynomial_degree = 1;
   std::vector<std::string> passive_regions;
-  TemperatureModel temperature_model = TemperatureModel::uniform;
-  Analysis analysis = Analysis::automatic;
 
-  std::vector<Field> present;
-  std::array<std::optional<FieldPlace>, n_field_kinds> field_places;
   std::unique_ptr<dealii::FE_Q<dim>> scalar;
   std::unique_ptr<dealii::MappingQ<dim>> cell_mapping;
   dealii::hp::FECollection<dim> elements; ///< 0: every field; 1: no potential

@@ -46,6 +46,11 @@ struct LevelText {
   std::string between(double low, double high) const;
 };
 
+/// The entry `<name> amplitude` of the section Time, if there is one, and what it gives.
+struct AmplitudeEntry {
+  std::string name, meaning;
+};
+
 /// An entry of the scene.
 struct SceneEntry {
   std::string section, name;
@@ -82,9 +87,8 @@ public:
   /// Whether a jump of it changes the body however soon one looks.
   virtual bool acts_at_once() const { return true; }
 
-  /// What is multiplied by the entry `<amplitude> amplitude` of the section Time; empty: nothing.
-  /// Loads may share one.
-  virtual std::string amplitude() const = 0;
+  /// What gives its level over time. Loads may share an entry.
+  virtual AmplitudeEntry amplitude() const = 0;
   virtual LevelText text() const { return {}; }
 
   /// Throws InputError where the @p stages, which know it by its @p name and @p index, do not fit.

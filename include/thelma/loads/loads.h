@@ -90,7 +90,7 @@ private:
     double last = 1.; ///< level at the end of the stages
   };
   struct GivenAmplitude {
-    std::string name, text;
+    std::string name, meaning, text;
     std::optional<Amplitude> amplitude;
     std::string entry() const { return name + " amplitude"; }
   };

@@ -7,6 +7,10 @@
 namespace thelma
 {
 
+inline const AmplitudeEntry heat_amplitude{"Heat", "Multiple of heat fluxes and sources"};
+inline const AmplitudeEntry wall_amplitude{
+    "Wall", "Part of the way from Temperature/Value to the temperatures of walls and surroundings"};
+
 /// A load on a temperature field: there before the stages, or in time alone.
 template <int dim>
 class HeatLoad : public Load<dim>

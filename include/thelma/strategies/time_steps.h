@@ -3,6 +3,7 @@
 #include <thelma/strategies/equilibrium.h>
 #include <thelma/strategies/predictor.h>
 #include <thelma/strategies/strategy.h>
+#include <thelma/strategies/time_error.h>
 #include <thelma/strategies/time_stepper.h>
 
 #include <optional>
@@ -66,12 +67,6 @@ public:
 private:
   enum class Coupling { staggered, monolithic };
 
-  /// The fields at a time in s.
-  struct Moment {
-    double time;
-    const BlockVector* x;
-  };
-
   bool has_heat() const { return layout.has_transient_temperature(); }
   bool is_monolithic() const { return has_heat() && coupling == Coupling::monolithic; }
   NewtonReport solve(bool is_last_part, bool extrapolates);
@@ -80,9 +75,6 @@ private:
   bool loads_jump() const;
   void prescribe(double time, unsigned int part);
   void restore();
-  std::vector<double> times() const;
-  double distance(const Moment& moment, const std::vector<Moment>& others) const;
-  std::optional<StepError> find_error() const;
   std::string coupling_advice() const;
 
   System<dim>&deformation, &heated;
