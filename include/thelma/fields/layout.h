@@ -1,7 +1,7 @@
 #pragma once
 
 #include <thelma/fields/field_set.h>
-#include <thelma/materials/list.h>
+#include <thelma/materials/library.h>
 #include <thelma/mesh/mesh.h>
 
 #include <deal.II/base/index_set.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <thelma/loads/stages.h>
-#include <thelma/materials/list.h>
+#include <thelma/materials/library.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -3,6 +3,7 @@
 #include "sacado.h"
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <thelma/materials/library.h>
 #include <thelma/materials/list.h>
 
 #include <gtest/gtest.h>

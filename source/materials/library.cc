@@ -1,4 +1,5 @@
 #include <thelma/base/error.h>
+#include <thelma/materials/library.h>
 #include <thelma/materials/list.h>
 
 namespace thelma
@@ -53,6 +54,8 @@ std::vector<Choice> dielectric_laws()
 {
   return choices<DielectricLaws>();
 }
+
+MaterialLibrary::Entry::Entry() : elastic(NeoHookean::name), dielectric(IdealDielectric::name) {}
 
 MaterialLibrary::MaterialLibrary(const ParameterFile& file)
 {

@@ -1,0 +1,216 @@
+#pragma once
+
+#include <thelma/materials/material.h>
+
+#include <type_traits>
+
+namespace thelma
+{
+
+/// How many internal variables an elastic law has at a point: its constant `n_history`, or none.
+template <class Law, typename = void>
+struct HistoryOf {
+  static constexpr unsigned int n = 0;
+};
+
+template <class Law>
+struct HistoryOf<Law, std::void_t<decltype(Law::n_history)>> {
+  static constexpr unsigned int n = Law::n_history;
+};
+
+/// The free energy of theory.md, eq. 4, from an elastic and a dielectric law:
+///   psi = (theta/theta_0) [W(F_EM, theta) + U(J_EM)] + psi_dielectric(F, E, theta) + psi_t(theta).
+/// If the elastic law has internal variables, W is its incremental potential (theory.md, eq. 37):
+/// while time passes it counts what flow dissipates as well as what is stored. Number-generic, so
+/// that Sacado can differentiate each function and the tests compare.
+template <class Elastic, class Dielectric>
+class ComposedMaterial final : public Material
+{
+public:
+  void declare(dealii::ParameterHandler& prm) override
+  {
+    elastic.declare(prm);
+    dielectric.declare(prm);
+    thermal.declare(prm);
+  }
+
+  /// psi without the volumetric energy.
+  template <typename Number>
+  Number psi(const PointState<Number>& state) const
+  {
+    const Kinematics<Number> kin(state.F);
+    const Number s = thermal.split(state.theta);
+    const Tensor3<2, Number> F_EM = s * state.F;
+    const Number J_EM = kin.J * s * s * s;
+    return state.theta / thermal.theta_0 * W(F_EM, J_EM, state) + dielectric.psi(state, kin) +
+           thermal.psi(state.theta);
+  }
+
+  template <typename Number>
+  FirstDerivatives<Number> first_derivatives(const PointState<Number>& state) const
+  {
+    const Kinematics<Number> kin(state.F);
+    const Split<Number> em(*this, state, kin);
+    const Number f = state.theta / thermal.theta_0;
+    FirstDerivatives<Number> out;
+    out.P = f * em.s * em.d.W_F;
+    out.eta = thermal.eta(state.theta) - em.d.W / thermal.theta_0 -
+              f * (em.d.W_theta - thermal.alpha * contract(em.d.W_F, em.F));
+    dielectric.add_first(state, kin, out);
+    return out;
+  }
+
+  template <typename Number>
+  SecondDerivatives<Number> second_derivatives(const PointState<Number>& state) const
+  {
+    SecondDerivatives<Number> out{};
+    set_second_derivatives(state, out);
+    return out;
+  }
+
+  /// The same into @p out, which is zero before: of many points at once it is too large to copy.
+  template <typename Number>
+  void set_second_derivatives(const PointState<Number>& state, SecondDerivatives<Number>& out) const
+  {
+    const Kinematics<Number> kin(state.F);
+    const Split<Number> em(*this, state, kin);
+    const Number f = state.theta / thermal.theta_0;
+    const double alpha = thermal.alpha;
+    if constexpr (remembers)
+      out.dP_dF = elastic.second(em.F, em.kin, state.theta, state.history);
+    else
+      out.dP_dF = elastic.second(em.F, em.kin, state.theta);
+    const Tensor3<2, Number> W_FF_F = apply(out.dP_dF, em.F);
+    out.dP_dF *= f * em.s * em.s;
+    out.dP_dtheta = em.s * ((1. / thermal.theta_0 - alpha * f) * em.d.W_F +
+                            f * (em.d.W_Ftheta - alpha * W_FF_F));
+    out.deta_dtheta = thermal.deta_dtheta(state.theta) -
+                      2. / thermal.theta_0 * (em.d.W_theta - alpha * contract(em.d.W_F, em.F)) -
+                      f * (em.d.W_thetatheta - 2. * alpha * contract(em.d.W_Ftheta, em.F) +
+                           alpha * alpha * (contract(W_FF_F, em.F) + contract(em.d.W_F, em.F)));
+    dielectric.add_second(state, kin, out);
+  }
+
+  Energies energies(const PointState<>& state) const override
+  {
+    const Kinematics<> kin(state.F);
+    const Split<double> em(*this, state, kin);
+    const double theta = state.theta;
+    const double entropy = thermal.coupling_entropy(theta, first_derivatives(state).eta);
+    return {theta / thermal.theta_0 * em.d.W, -dielectric.psi(state, kin),
+            thermal.coupling_psi(theta) + theta * entropy, entropy};
+  }
+
+  void evaluate(const PointState<>& state, FirstDerivatives<>& out) const override
+  {
+    out = first_derivatives(state);
+  }
+
+  void evaluate(const PointState<>& state, SecondDerivatives<>& out) const override
+  {
+    set_second_derivatives(state, out);
+  }
+
+  void evaluate(const PointState<Lanes>& state, FirstDerivatives<Lanes>& out) const override
+  {
+    out = first_derivatives(state);
+  }
+
+  void evaluate(const PointState<Lanes>& state, SecondDerivatives<Lanes>& out) const override
+  {
+    set_second_derivatives(state, out);
+  }
+
+  void add_entropy_rate(const PointState<>& state, const PointRates& rates,
+                        EntropyRate& out) const override
+  {
+    thelma::add_entropy_rate(second_derivatives(along(state, rates)), rates, out);
+  }
+
+  unsigned int n_history() const override { return HistoryOf<Elastic>::n; }
+
+  void update_history(const PointState<>& state, double* now) const override
+  {
+    if constexpr (remembers)
+      elastic.update_history(thermal.split(state.theta) * state.F, state.history, now);
+  }
+
+  double shear_modulus(const double theta) const override { return elastic.shear_modulus(theta); }
+  double permittivity(const double theta) const override { return dielectric.permittivity(theta); }
+
+private:
+  static constexpr bool remembers = HistoryOf<Elastic>::n > 0;
+
+  template <typename Number>
+  Number W(const Tensor3<2, Number>& F_EM, const Number& J_EM,
+           const PointState<Number>& state) const
+  {
+    if constexpr (remembers)
+      return elastic.W(F_EM, J_EM, state.theta, state.history);
+    else
+      return elastic.W(F_EM, J_EM, state.theta);
+  }
+
+  /// The electro-mechanical part of the deformation and the elastic law at it.
+  template <typename Number>
+  struct Split {
+    Split(const ComposedMaterial& m, const PointState<Number>& state,
+          const Kinematics<Number>& total)
+        : s(m.thermal.split(state.theta)), F(s * state.F), kin(total)
+    {
+      kin.J = total.J * s * s * s;
+      kin.G = total.G / s;
+      if constexpr (remembers)
+        d = m.elastic.first(F, kin, state.theta, state.history);
+      else
+        d = m.elastic.first(F, kin, state.theta);
+    }
+
+    Number s;
+    Tensor3<2, Number> F;
+    Kinematics<Number> kin;
+    ElasticDerivatives<Number> d;
+  };
+
+  Elastic elastic;
+  Dielectric dielectric;
+};
+
+/// What the volumetric energy adds to the derivatives when its J is that of @p kin:
+///   P = p J G,  dP/dF = (p J + dp/dJ J^2) G x G - p J G_iL G_kJ.
+template <typename Number>
+void add_volumetric(const Kinematics<Number>& kin, const Volumetric<Number>& v,
+                    FirstDerivatives<Number>& out)
+{
+  out.P += v.p * kin.J * kin.G;
+  out.eta += v.eta;
+}
+
+template <typename Number>
+void add_volumetric(const Kinematics<Number>& kin, const Volumetric<Number>& v,
+                    SecondDerivatives<Number>& out)
+{
+  const Tensor3<2, Number>& G = kin.G;
+  const Number pJ = v.p * kin.J, slope = pJ + v.dp_dJ * kin.J * kin.J;
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int J = 0; J < 3; ++J)
+      for (unsigned int k = 0; k < 3; ++k)
+        for (unsigned int L = 0; L < 3; ++L)
+          out.dP_dF[i][J][k][L] += slope * G[i][J] * G[k][L] - pJ * G[i][L] * G[k][J];
+  out.dP_dtheta += v.dp_dtheta * kin.J * G;
+  out.deta_dtheta += v.deta_dtheta;
+}
+
+/// The entropy rate of the volumetric energy when its J is det F.
+inline void add_volumetric_entropy_rate(const Thermal& thermal, const PointState<>& state,
+                                        const PointRates& rates, EntropyRate& out)
+{
+  const PointState<Directional> moving = along(state, rates);
+  const Kinematics<Directional> kin(moving.F);
+  SecondDerivatives<Directional> d{};
+  d.dP_dtheta = thermal.volumetric(kin.J, moving.theta).dp_dtheta * kin.J * kin.G;
+  d.deta_dtheta = thermal.volumetric(kin.J, moving.theta).deta_dtheta;
+  add_entropy_rate(d, rates, out);
+}
+
+} // namespace thelma
