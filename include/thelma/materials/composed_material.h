@@ -176,41 +176,4 @@ private:
   Dielectric dielectric;
 };
 
-/// What the volumetric energy adds to the derivatives when its J is that of @p kin:
-///   P = p J G,  dP/dF = (p J + dp/dJ J^2) G x G - p J G_iL G_kJ.
-template <typename Number>
-void add_volumetric(const Kinematics<Number>& kin, const Volumetric<Number>& v,
-                    FirstDerivatives<Number>& out)
-{
-  out.P += v.p * kin.J * kin.G;
-  out.eta += v.eta;
-}
-
-template <typename Number>
-void add_volumetric(const Kinematics<Number>& kin, const Volumetric<Number>& v,
-                    SecondDerivatives<Number>& out)
-{
-  const Tensor3<2, Number>& G = kin.G;
-  const Number pJ = v.p * kin.J, slope = pJ + v.dp_dJ * kin.J * kin.J;
-  for (unsigned int i = 0; i < 3; ++i)
-    for (unsigned int J = 0; J < 3; ++J)
-      for (unsigned int k = 0; k < 3; ++k)
-        for (unsigned int L = 0; L < 3; ++L)
-          out.dP_dF[i][J][k][L] += slope * G[i][J] * G[k][L] - pJ * G[i][L] * G[k][J];
-  out.dP_dtheta += v.dp_dtheta * kin.J * G;
-  out.deta_dtheta += v.deta_dtheta;
-}
-
-/// The entropy rate of the volumetric energy when its J is det F.
-inline void add_volumetric_entropy_rate(const Thermal& thermal, const PointState<>& state,
-                                        const PointRates& rates, EntropyRate& out)
-{
-  const PointState<Directional> moving = along(state, rates);
-  const Kinematics<Directional> kin(moving.F);
-  SecondDerivatives<Directional> d{};
-  d.dP_dtheta = thermal.volumetric(kin.J, moving.theta).dp_dtheta * kin.J * kin.G;
-  d.deta_dtheta = thermal.volumetric(kin.J, moving.theta).deta_dtheta;
-  add_entropy_rate(d, rates, out);
-}
-
 } // namespace thelma
