@@ -27,7 +27,7 @@ void measure(const std::string& mesh, const std::string& supports, const std::st
   add_noise(scene, {1e-3, 0.1}, scene.state.x);
   const std::size_t n = scene.layout.cells().size();
   const double residual = 1e6 / n * shortest_seconds([&]() { scene.system.residual(); });
-  const double tangent = 1e6 / n * shortest_seconds([&]() { scene.system.assemble_tangent(); });
+  const double tangent = 1e6 / n * shortest_seconds([&]() { scene.system.linear.assemble(); });
   std::printf("%d-D  %-18s Q%d  %5zu cells  residual %7.2f  tangent %7.2f\n", dim,
               formulation.c_str(), degree, n, residual, tangent);
 }

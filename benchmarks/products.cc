@@ -45,8 +45,8 @@ void measure()
                      " set Formulation = mean dilatation\nend\nsubsection Supports\n"
                      " set Fixed = x3_min: u3, x2_min: u2, x2_max: u2, pin: u1\nend\n"
                      "subsection Electrodes\n set Potential = interface: 0, outer: 1\nend\n");
-  scene.system.assemble_tangent();
-  const auto& tangent = scene.system.tangent();
+  scene.system.linear.assemble();
+  const auto& tangent = scene.system.linear.matrix();
   const auto &uu = tangent.block(0, 0), &u_phi = tangent.block(0, 1),
              &phi_phi = tangent.block(1, 1);
   const auto rectangular = [](const auto number, const auto& block) {

@@ -20,7 +20,7 @@ public:
 
   std::vector<double> evaluate(const Scene<dim>& scene) override
   {
-    const Energies own = scene.system.energies();
+    const Energies own = scene.system.cells.energies();
     const std::vector<double> sums{own.elastic, own.electric};
     std::vector<double> total(2);
     dealii::Utilities::MPI::sum(sums, scene.layout.communicator(), total);

@@ -37,7 +37,8 @@ public:
   {
     for (std::size_t index = 0; index < scene.layout.cells().size(); ++index)
       index_of[scene.layout.cells()[index].iterator->active_cell_index()] = index;
-    const std::vector<dealii::Point<dim>>& inner = scene.system.element().law_points().get_points();
+    const std::vector<dealii::Point<dim>>& inner =
+        scene.system.cells.formulation().law_points().get_points();
     for (const dealii::Point<dim>& point : points.get_points())
       nearest.push_back(std::min_element(inner.begin(), inner.end(),
                                          [&](const auto& a, const auto& b) {
@@ -75,7 +76,7 @@ public:
   {
     const auto& cell = input.template get_cell<dim>();
     const Material& material = scene.materials.of_region(scene.mesh.region_of(cell));
-    const CellMemory memory = scene.system.memory(index_of.at(cell->active_cell_index()));
+    const CellMemory memory = scene.system.cells.memory(index_of.at(cell->active_cell_index()));
     for (std::size_t q = 0; q < output.size(); ++q) {
       PointState<> state = point(input, q);
       state.history = memory.at(nearest[q]);
@@ -118,7 +119,7 @@ private:
   double pressure(const unsigned int active_cell, const std::size_t q,
                   const PointState<>& state) const
   {
-    const Formulation<dim>& element = scene.system.element();
+    const Formulation<dim>& element = scene.system.cells.formulation();
     const std::size_t index = index_of.at(active_cell);
     const CellView<dim> view{
         index,       scene.layout.cells()[index],

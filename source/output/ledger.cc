@@ -141,7 +141,7 @@ private:
 
   Stock stock(const Scene<dim>& scene) const
   {
-    Energies own = scene.system.energies(), walls;
+    Energies own = scene.system.cells.energies(), walls;
     if (scene.layout.has(Field::temperature)) {
       own.add(1., scene.storage.stored(scene.state, theta_0));
       walls = scene.storage.stored_in_walls(scene.state, theta_0);
@@ -222,7 +222,7 @@ private:
   double production(const Scene<dim>& scene) const
   {
     double sum = 0.;
-    scene.system.for_each_cell([&](const CellView<dim>& view) {
+    scene.system.cells.for_each([&](const CellView<dim>& view) {
       const CellPoints<dim> points(*rule, view);
       for (unsigned int q = 0; q < points.n_points; ++q) {
         const PointInput<double> input = points.at(q);

@@ -106,10 +106,10 @@ void Results<dim>::setup(const Scene<dim>& scene, const double theta)
                    ": the entry 'Observables' of the section Output does not name it; add '" +
                    name + "' there, or remove this section");
   columns.emplace_back("min_det_F");
-  if (scene.system.knows_stability())
+  if (scene.system.stability.is_known())
     columns.emplace_back("unstable_directions");
   columns.emplace_back("newton_iterations");
-  if (scene.system.iterates())
+  if (scene.system.linear.iterates())
     columns.emplace_back("linear_iterations");
   columns.emplace_back("seconds");
   curve = std::make_unique<Curve>(columns);
@@ -197,10 +197,10 @@ void Results<dim>::add(const Scene<dim>& scene, const PathPoint& point, const Ne
     for (const double value : entry.second->evaluate(scene))
       row.push_back(value);
   row.push_back(report.min_det_F);
-  if (scene.system.knows_stability())
+  if (scene.system.stability.is_known())
     row.push_back(static_cast<double>(point.unstable_directions));
   row.push_back(report.iterations);
-  if (scene.system.iterates())
+  if (scene.system.linear.iterates())
     row.push_back(report.linear_iterations);
   row.push_back(seconds());
   curve->add(row);

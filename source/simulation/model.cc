@@ -10,9 +10,9 @@ namespace thelma
 template <int dim>
 Model<dim>::Model(const MPI_Comm comm, const ParameterFile& file, Timings& timings)
     : timings(timings), materials(file), mesh(comm),
-      system(layout, conditions, loads, storage, state, timings),
-      isothermal(layout, conditions, loads, storage, state, timings),
-      heated(layout, conditions, loads, storage, state, timings),
+      system(layout, conditions, loads, storage, state, settings, timings),
+      isothermal(layout, conditions, loads, storage, state, settings, timings),
+      heated(layout, conditions, loads, storage, state, settings, timings),
       predictor(layout, conditions, state)
 {
 }
@@ -23,7 +23,7 @@ void Model<dim>::declare(dealii::ParameterHandler& prm)
   mesh.declare(prm);
   materials.declare(prm);
   layout.declare(prm);
-  system.declare(prm);
+  settings.declare(prm);
   conditions.declare(prm);
   {
     const Section section(prm, {"Temperature"});
@@ -79,9 +79,9 @@ void Model<dim>::setup()
   system.setup();
   if (layout.has_transient_temperature())
     heated.setup();
-  if (!system.is_symmetric() && system.knows_stability())
+  if (!system.linear.is_symmetric() && system.stability.is_known())
     isothermal.setup();
-  predictor.setup(system.element(), system.uses_multigrid());
+  predictor.setup(system.cells.formulation(), system.linear.uses_multigrid());
   state.start();
 }
 
@@ -93,7 +93,7 @@ std::vector<std::string> Model<dim>::summary() const
        {mesh.remarks(), materials.summary(theta), materials.doubts()})
     lines.insert(lines.end(), more.begin(), more.end());
   lines.push_back(loading.description());
-  lines.push_back(system.solver_description());
+  lines.push_back(system.linear.description() + system.stability.remark());
   if (const std::string sentence = doubt_about_thickness(); !sentence.empty())
     lines.push_back(sentence);
   return lines;

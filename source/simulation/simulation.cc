@@ -1,3 +1,4 @@
+#include <thelma/assembly/rank_shares.h>
 #include <thelma/base/error.h>
 #include <thelma/base/stop_signal.h>
 #include <thelma/simulation/checkpoint.h>
@@ -54,8 +55,8 @@ void Simulation<dim>::setup(const std::string& picture_folder)
   tell(results.remarks());
   tell(unused_entries(prm, model, strategies.follow_path()));
   outcome.cells = model.mesh.n_cells();
-  outcome.imbalance = model.system.imbalance();
-  outcome.halo = model.system.halo();
+  outcome.imbalance = imbalance(model.layout, model.system.linear.matrix());
+  outcome.halo = ghost_share(model.layout);
   for (const Field field : model.layout.fields())
     outcome.unknowns[field_name(field)] = model.layout.n_dofs(field);
 }
@@ -269,7 +270,7 @@ Checkpoint<dim> Simulation<dim>::checkpoint()
 template <int dim>
 Scene<dim> Simulation<dim>::scene()
 {
-  System<dim>& solved = strategies.time_steps.system();
+  DiscreteSystem<dim>& solved = strategies.time_steps.system();
   return {model.materials, model.mesh,    model.layout, model.conditions,
           model.loads,     model.storage, solved,       model.state};
 }

@@ -50,19 +50,19 @@ void Strategies<dim>::check(const bool has_conditions, Complaints& found)
 template <int dim>
 void Strategies<dim>::choose_solvers()
 {
-  System<dim>& system = model.system;
+  DiscreteSystem<dim>& system = model.system;
   if (follow_path()) {
     equilibrium.require_stable();
-    system.require_inertia("Stepping/Continuation = automatic");
+    model.settings.counts_for = "Stepping/Continuation = automatic";
   } else if (equilibrium.rejects_by_choice())
-    system.require_inertia("Stepping/Unstable states = reject");
+    model.settings.counts_for = "Stepping/Unstable states = reject";
   const bool has_heat_in_time = model.layout.has_transient_temperature();
   system.choose(has_heat_in_time ? Solved::deformation : Solved::all);
   if (has_heat_in_time)
     time_steps.choose();
-  else if (!system.is_symmetric()) {
-    model.isothermal.choose(Solved::deformation, system);
-    system.count_on(model.isothermal);
+  else if (!system.linear.is_symmetric()) {
+    model.isothermal.choose(Solved::deformation);
+    system.stability.count_on(model.isothermal.stability);
   }
 }
 

@@ -19,16 +19,17 @@ void Equilibrium::declare(dealii::ParameterHandler& prm)
 }
 
 template <int dim>
-NewtonReport Equilibrium::judged(System<dim>& system, NewtonReport report) const
+NewtonReport Equilibrium::judged(DiscreteSystem<dim>& system, NewtonReport report) const
 {
-  if (!report.converged || !system.knows_stability())
+  if (!report.converged || !system.stability.is_known())
     return report;
-  LinearReport counted = system.count_pivots(report.negative_pivots);
-  if (report.reused && counted.solved && system.unstable_directions(counted.negative_pivots) != 0) {
+  LinearReport counted = system.stability.count_pivots(report.negative_pivots);
+  if (report.reused && counted.solved &&
+      system.stability.unstable_directions(counted.negative_pivots) != 0) {
     // A count that decides is taken at the state itself.
     const LinearReport fresh = system.linear_solve(false);
     ++report.factorisations;
-    counted = fresh.solved ? system.count_pivots(fresh.negative_pivots) : fresh;
+    counted = fresh.solved ? system.stability.count_pivots(fresh.negative_pivots) : fresh;
   }
   if (!counted.solved) {
     report.converged = false;
@@ -36,7 +37,7 @@ NewtonReport Equilibrium::judged(System<dim>& system, NewtonReport report) const
     return report;
   }
   report.negative_pivots = counted.negative_pivots;
-  const long long unstable = system.unstable_directions(counted.negative_pivots);
+  const long long unstable = system.stability.unstable_directions(counted.negative_pivots);
   const bool rejects = unstable_states != UnstableStates::keep || requires_stable;
   if (unstable != 0 && rejects)
     report.refuse(Refusal::unstable,
@@ -44,7 +45,7 @@ NewtonReport Equilibrium::judged(System<dim>& system, NewtonReport report) const
   return report;
 }
 
-template NewtonReport Equilibrium::judged(System<2>&, NewtonReport) const;
-template NewtonReport Equilibrium::judged(System<3>&, NewtonReport) const;
+template NewtonReport Equilibrium::judged(DiscreteSystem<2>&, NewtonReport) const;
+template NewtonReport Equilibrium::judged(DiscreteSystem<3>&, NewtonReport) const;
 
 } // namespace thelma

@@ -61,8 +61,8 @@ StepReport LoadSteps<dim>::advance()
   if (step.newton.converged && jumps(step.newton))
     step.newton.refuse(Refusal::jump, "the state found is not the continuation of the path");
   spent.newton.add(step.newton);
-  if (system.knows_stability())
-    step.unstable_directions = system.unstable_directions(step.newton.negative_pivots);
+  if (system.stability.is_known())
+    step.unstable_directions = system.stability.unstable_directions(step.newton.negative_pivots);
   return step;
 }
 
@@ -86,7 +86,7 @@ void LoadSteps<dim>::cut_back(const StepReport& step)
   failure = step.newton;
   state.restore();
   predictor.adapt(std::numeric_limits<double>::infinity());
-  stepper.cut_back(step.newton.refusal == Refusal::jump && system.knows_stability());
+  stepper.cut_back(step.newton.refusal == Refusal::jump && system.stability.is_known());
   has_turned = gives_way;
 }
 
@@ -117,12 +117,13 @@ bool LoadSteps<dim>::jumps(NewtonReport& report)
   constexpr double trusted = 0.5;
   if (state.path().size() < 2)
     return false; // no path yet
-  if (!system.knows_stability())
+  if (!system.stability.is_known())
     return surprise > 1. && !stepper.finest();
-  const long long most =
-      std::max(state.unstable_directions, system.unstable_directions(report.negative_pivots));
+  const long long most = std::max(state.unstable_directions,
+                                  system.stability.unstable_directions(report.negative_pivots));
   const bool passed_less_stable =
-      system.is_symmetric() && system.unstable_directions(report.most_negative_pivots) > most;
+      system.linear.is_symmetric() &&
+      system.stability.unstable_directions(report.most_negative_pivots) > most;
   if (surprise < trusted && !passed_less_stable)
     return false;
   const bool has_ridge = is_beyond_ridge(system, state, predictor, most, report);

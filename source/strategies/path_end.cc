@@ -13,7 +13,7 @@ constexpr double never = std::numeric_limits<double>::infinity();
 /// Slope of load^2 over the displacements at the iterate, by its own tangent; not a number if there
 /// is none.
 template <int dim>
-double slope(System<dim>& system)
+double slope(DiscreteSystem<dim>& system)
 {
   system.residual();
   if (!system.linear_solve(false).solved || !system.solve_load().solved)
@@ -24,7 +24,7 @@ double slope(System<dim>& system)
 /// The load at which the slope becomes zero (theory.md, eq. 53). The last state and its tangent
 /// remain.
 template <int dim>
-double turning_load(System<dim>& system, State& state)
+double turning_load(DiscreteSystem<dim>& system, State& state)
 {
   const std::size_t n = state.path().size();
   double squares[2] = {0., 0.}, slopes[2] = {0., 0.};
@@ -44,7 +44,7 @@ double turning_load(System<dim>& system, State& state)
 } // namespace
 
 template <int dim>
-ExaminedEnd examine_end(System<dim>& system, State& state, const Refusal refusal,
+ExaminedEnd examine_end(DiscreteSystem<dim>& system, State& state, const Refusal refusal,
                         const double failed, const double farthest)
 {
   constexpr double negligible = 0.5, all = 0.95;
@@ -57,7 +57,7 @@ ExaminedEnd examine_end(System<dim>& system, State& state, const Refusal refusal
     return end;
   // The load does not push a body into the mode of a bifurcation, and does into that of a limit
   // point. Nothing is found beyond a limit point, but where it lies is foretold within the bracket.
-  const bool has_mode = !std::isnan(system.critical_mode(end.mode));
+  const bool has_mode = !std::isnan(system.stability.critical_mode(end.mode));
   if (!has_mode)
     end.mode = {};
   const double share =
@@ -67,7 +67,7 @@ ExaminedEnd examine_end(System<dim>& system, State& state, const Refusal refusal
   return end;
 }
 
-template ExaminedEnd examine_end(System<2>&, State&, Refusal, double, double);
-template ExaminedEnd examine_end(System<3>&, State&, Refusal, double, double);
+template ExaminedEnd examine_end(DiscreteSystem<2>&, State&, Refusal, double, double);
+template ExaminedEnd examine_end(DiscreteSystem<3>&, State&, Refusal, double, double);
 
 } // namespace thelma

@@ -98,7 +98,7 @@ bool PathSolver<dim>::examine(const Plane& plane, PathState& found)
   failure = fresh.reason;
   if (!fresh.solved)
     return false;
-  const LinearReport counted = system.count_pivots(fresh.negative_pivots);
+  const LinearReport counted = system.stability.count_pivots(fresh.negative_pivots);
   failure = counted.reason;
   if (!counted.solved)
     return false;
@@ -117,8 +117,8 @@ bool PathSolver<dim>::examine(const Plane& plane, PathState& found)
   ++found.newton.iterations;
   spent.add({1, 1, 0});
   found.load = system.load();
-  if (system.knows_stability())
-    found.unstable_directions = system.unstable_directions(found.newton.negative_pivots);
+  if (system.stability.is_known())
+    found.unstable_directions = system.stability.unstable_directions(found.newton.negative_pivots);
   const auto& response = system.response();
   found.slope =
       std::copysign(1. / metric.length(response, 1.), plane.normal * response + plane.load_normal);

@@ -10,10 +10,9 @@ template <int dim>
 class Hold final : public LoadPath
 {
 public:
-  Hold(System<dim>& system, const BlockVector& direction)
-      : system(system), direction(direction), before(system.load_path())
+  Hold(DiscreteSystem<dim>& system, const BlockVector& direction)
+      : system(system), direction(direction), before(system.load_along(this))
   {
-    system.load_along(this);
     system.set_load(0.);
   }
   ~Hold() override
@@ -32,7 +31,7 @@ public:
   }
 
 private:
-  System<dim>& system;
+  DiscreteSystem<dim>& system;
   const BlockVector& direction;
   LoadPath* before;
 };
@@ -41,7 +40,7 @@ private:
 /// unstable directions. The iterate itself is not in balance, which stiff directions may show as
 /// instability: only if that is corrected and it remains, there is one.
 template <int dim>
-bool is_unstable_held(System<dim>& system, const Plane& plane, const long long most,
+bool is_unstable_held(DiscreteSystem<dim>& system, const Plane& plane, const long long most,
                       NewtonReport& report)
 {
   constexpr int most_corrections = 1;
@@ -49,11 +48,11 @@ bool is_unstable_held(System<dim>& system, const Plane& plane, const long long m
   for (int k = 0; k <= most_corrections && bordered.residual().admissible(); ++k) {
     LinearReport tangent = bordered.linear_solve(false);
     if (tangent.solved)
-      tangent = system.count_pivots(tangent.negative_pivots);
+      tangent = system.stability.count_pivots(tangent.negative_pivots);
     report.add({0, 1, tangent.iterations});
     if (!tangent.solved)
       return true;
-    if (system.unstable_directions(tangent.negative_pivots) <= most)
+    if (system.stability.unstable_directions(tangent.negative_pivots) <= most)
       return false;
     bordered.move_to(1.);
   }
@@ -63,7 +62,7 @@ bool is_unstable_held(System<dim>& system, const Plane& plane, const long long m
 } // namespace
 
 template <int dim>
-bool is_beyond_ridge(System<dim>& system, State& state, Predictor<dim>& predictor,
+bool is_beyond_ridge(DiscreteSystem<dim>& system, State& state, Predictor<dim>& predictor,
                      const long long most, NewtonReport& report)
 {
   const State::Accepted found{state.accepted_load(), state.x, state.internal};
@@ -75,7 +74,7 @@ bool is_beyond_ridge(System<dim>& system, State& state, Predictor<dim>& predicto
   for (unsigned int b = 1; b < state.x.n_blocks(); ++b)
     state.x.block(b) = found.x.block(b); // at the new load
   state.x.update_ghost_values();
-  system.relax_internal();
+  system.converge_internal();
   way.zero_out_ghost_values();
   way /= way.block(0).l2_norm();
   const Hold<dim> hold(system, way);
@@ -87,7 +86,7 @@ bool is_beyond_ridge(System<dim>& system, State& state, Predictor<dim>& predicto
   return has_ridge;
 }
 
-template bool is_beyond_ridge(System<2>&, State&, Predictor<2>&, long long, NewtonReport&);
-template bool is_beyond_ridge(System<3>&, State&, Predictor<3>&, long long, NewtonReport&);
+template bool is_beyond_ridge(DiscreteSystem<2>&, State&, Predictor<2>&, long long, NewtonReport&);
+template bool is_beyond_ridge(DiscreteSystem<3>&, State&, Predictor<3>&, long long, NewtonReport&);
 
 } // namespace thelma

@@ -61,9 +61,9 @@ void TimeSteps<dim>::check() const
 template <int dim>
 void TimeSteps<dim>::choose()
 {
-  heated.choose(is_monolithic() ? Solved::all : Solved::temperature, deformation);
+  heated.choose(is_monolithic() ? Solved::all : Solved::temperature);
   if (is_monolithic())
-    heated.count_on(deformation);
+    heated.stability.count_on(deformation.stability);
 }
 
 template <int dim>
@@ -111,8 +111,8 @@ StepReport TimeSteps<dim>::advance()
     step.newton = equilibrium.judged(heated, step.newton);
   step.is_accurate = !step.newton.converged || stepper.tolerates(step_error);
   spent.newton.add(step.newton);
-  if (system().knows_stability())
-    step.unstable_directions = system().unstable_directions(step.newton.negative_pivots);
+  if (system().stability.is_known())
+    step.unstable_directions = system().stability.unstable_directions(step.newton.negative_pivots);
   return step;
 }
 

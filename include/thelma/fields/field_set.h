@@ -20,6 +20,12 @@ constexpr std::size_t n_field_kinds = 3;
 /// the deformation.
 enum class Solved { all, deformation, temperature };
 
+/// Whether the @p field is among those @p solved for.
+inline bool includes(const Solved solved, const Field field)
+{
+  return solved == Solved::all || (field == Field::temperature) == (solved == Solved::temperature);
+}
+
 /// "displacement u", "potential phi", "temperature theta".
 std::string field_name(Field field);
 

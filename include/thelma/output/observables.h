@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/assembly/system.h>
+#include <thelma/assembly/discrete_system.h>
 #include <thelma/base/named_list.h>
 
 #include <memory>
@@ -19,7 +19,7 @@ struct Scene {
   const BoundaryConditions<dim>& conditions;
   const Loads<dim>& loads;
   const HeatStorage<dim>& storage;
-  const System<dim>& system;
+  const DiscreteSystem<dim>& system;
   const State& state;
 };
 

@@ -19,7 +19,7 @@ public:
   template <typename Visitor>
   void visit(const Scene<dim>& scene, const Visitor& visit) const
   {
-    scene.system.for_each_cell([&](const CellView<dim>& view) {
+    scene.system.cells.for_each([&](const CellView<dim>& view) {
       for (unsigned int q = 0; q < rule->basis().n_points; ++q) {
         const auto& point = rule->of_cell(view.index)[q];
         visit(point_state(view, Gradients<dim>(rule->basis(), q, point)), *view.cell.material,

@@ -45,9 +45,11 @@ public:
   Loads<dim> loads;
   HeatStorage<dim> storage;
   State state;
-  System<dim> system;
-  System<dim> isothermal; ///< counts the unstable directions of states of a steady temperature
-  System<dim> heated;     ///< of a transient temperature, or of everything
+  SystemSettings settings;
+  DiscreteSystem<dim> system;
+  DiscreteSystem<dim>
+      isothermal;             ///< counts the unstable directions of states of a steady temperature
+  DiscreteSystem<dim> heated; ///< of a transient temperature, or of everything
   Predictor<dim> predictor;
 
 private:

@@ -18,7 +18,7 @@ public:
   void go_to(const double load) override
   {
     if (model.state.path().size() == 1)
-      model.system.start_internal();
+      model.system.cells.initialise_internal();
     ramp.go_to(load);
   }
 

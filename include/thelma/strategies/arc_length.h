@@ -19,7 +19,7 @@ template <int dim>
 class ArcLength final : public Strategy
 {
 public:
-  ArcLength(System<dim>& system, State& state, Predictor<dim>& predictor,
+  ArcLength(DiscreteSystem<dim>& system, State& state, Predictor<dim>& predictor,
             const Equilibrium& equilibrium)
       : system(system), state(state), predictor(predictor), newton(equilibrium.solver()),
         path(system, state, predictor, newton, spent.newton)
@@ -72,7 +72,7 @@ private:
   std::optional<PathState> switch_branch(const BlockVector& mode, double step);
   std::optional<StepsEnd> finish(Recorder& recorder);
 
-  System<dim>& system;
+  DiscreteSystem<dim>& system;
   State& state;
   Predictor<dim>& predictor;
   const Newton& newton;

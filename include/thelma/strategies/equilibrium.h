@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/assembly/system.h>
+#include <thelma/assembly/discrete_system.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -21,14 +21,14 @@ public:
 
   /// The equilibrium near the iterate of the @p system.
   template <int dim>
-  NewtonReport find(System<dim>& system) const
+  NewtonReport find(DiscreteSystem<dim>& system) const
   {
     return judged(system, newton.solve(system));
   }
 
   /// A converged state counts only if it is stable, unless the scene says otherwise.
   template <int dim>
-  NewtonReport judged(System<dim>& system, NewtonReport report) const;
+  NewtonReport judged(DiscreteSystem<dim>& system, NewtonReport report) const;
 
   const Newton& solver() const { return newton; }
 

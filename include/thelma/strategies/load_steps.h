@@ -13,7 +13,7 @@ template <int dim>
 class LoadSteps final : public Strategy
 {
 public:
-  LoadSteps(System<dim>& system, State& state, Predictor<dim>& predictor,
+  LoadSteps(DiscreteSystem<dim>& system, State& state, Predictor<dim>& predictor,
             const Equilibrium& equilibrium, Timings& timings)
       : system(system), state(state), predictor(predictor), equilibrium(equilibrium),
         timings(timings)
@@ -61,7 +61,7 @@ private:
   bool jumps(NewtonReport& report);
   bool turns_soon() const;
 
-  System<dim>& system;
+  DiscreteSystem<dim>& system;
   State& state;
   Predictor<dim>& predictor;
   const Equilibrium& equilibrium;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/assembly/system.h>
+#include <thelma/assembly/discrete_system.h>
 
 namespace thelma
 {
@@ -19,7 +19,7 @@ struct ExaminedEnd {
 /// last accepted one afterwards. The state sought next, at the load @p failed, was not accepted
 /// because of @p refusal; a load above @p farthest is too far away to have ended the path.
 template <int dim>
-ExaminedEnd examine_end(System<dim>& system, State& state, Refusal refusal, double failed,
+ExaminedEnd examine_end(DiscreteSystem<dim>& system, State& state, Refusal refusal, double failed,
                         double farthest);
 
 } // namespace thelma

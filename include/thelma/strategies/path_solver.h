@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/assembly/system.h>
+#include <thelma/assembly/discrete_system.h>
 #include <thelma/strategies/predictor.h>
 #include <thelma/strategies/strategy.h>
 
@@ -33,8 +33,8 @@ class PathSolver
 public:
   using Solution = std::optional<PathState>;
 
-  PathSolver(System<dim>& system, State& state, Predictor<dim>& predictor, const Newton& newton,
-             NewtonEffort& spent)
+  PathSolver(DiscreteSystem<dim>& system, State& state, Predictor<dim>& predictor,
+             const Newton& newton, NewtonEffort& spent)
       : system(system), state(state), predictor(predictor), newton(newton), spent(spent)
   {
   }
@@ -88,8 +88,8 @@ public:
   const std::string& last_failure() const { return failure; }
   void fail(const std::string& reason) { failure = reason; }
 
-  /// Of smallest size, of the tangent at the iterate; System::critical_mode().
-  double critical_mode(BlockVector& mode) { return system.critical_mode(mode); }
+  /// Of smallest size, of the tangent at the iterate; Stability::critical_mode().
+  double critical_mode(BlockVector& mode) { return system.stability.critical_mode(mode); }
 
   template <class Archive>
   void serialize(Archive& archive, unsigned int)
@@ -98,7 +98,7 @@ public:
   }
 
 private:
-  System<dim>& system;
+  DiscreteSystem<dim>& system;
   State& state;
   Predictor<dim>& predictor;
   const Newton& newton;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/assembly/system.h>
+#include <thelma/assembly/discrete_system.h>
 #include <thelma/strategies/predictor.h>
 
 namespace thelma
@@ -11,7 +11,7 @@ namespace thelma
 /// directions (theory.md, "Prediction"). The iterate remains; what was solved is added to the
 /// @p report.
 template <int dim>
-bool is_beyond_ridge(System<dim>& system, State& state, Predictor<dim>& predictor, long long most,
-                     NewtonReport& report);
+bool is_beyond_ridge(DiscreteSystem<dim>& system, State& state, Predictor<dim>& predictor,
+                     long long most, NewtonReport& report);
 
 } // namespace thelma

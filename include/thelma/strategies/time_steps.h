@@ -19,9 +19,10 @@ template <int dim>
 class TimeSteps final : public Strategy
 {
 public:
-  TimeSteps(System<dim>& deformation, System<dim>& heated, const FieldLayout<dim>& layout,
-            const BoundaryConditions<dim>& conditions, Loads<dim>& loads, State& state,
-            Predictor<dim>& predictor, const Equilibrium& equilibrium)
+  TimeSteps(DiscreteSystem<dim>& deformation, DiscreteSystem<dim>& heated,
+            const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
+            Loads<dim>& loads, State& state, Predictor<dim>& predictor,
+            const Equilibrium& equilibrium)
       : deformation(deformation), heated(heated), layout(layout), conditions(conditions),
         loads(loads), state(state), predictor(predictor), equilibrium(equilibrium)
   {
@@ -51,7 +52,7 @@ public:
   std::string why_exhausted() const;
 
   /// The system that tells of the reactions of a state in time.
-  System<dim>& system() { return is_monolithic() ? heated : deformation; }
+  DiscreteSystem<dim>& system() { return is_monolithic() ? heated : deformation; }
   bool makes_heat() const { return structural_heat != StructuralHeat::none; }
   double final_time() const { return stepper.final_time(); }
 
@@ -77,7 +78,7 @@ private:
   void restore();
   std::string coupling_advice() const;
 
-  System<dim>&deformation, &heated;
+  DiscreteSystem<dim>&deformation, &heated;
   const FieldLayout<dim>& layout;
   const BoundaryConditions<dim>& conditions;
   Loads<dim>& loads;

@@ -117,7 +117,7 @@ public:
         nodal_capacity(nodal_capacity)
   {
     scene.state.x = interpolated(0.);
-    scene.system.relax_internal();
+    scene.system.converge_internal();
     scene.state.start();
   }
 

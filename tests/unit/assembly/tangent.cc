@@ -47,7 +47,7 @@ void set_state(const Case& c, const double noise, TestScene<3>& scene)
     for (const double curvature : {0.05, 0.12}) {
       set_bent_state(scene, curvature);
       add_noise(scene, {noise * curvature, 0.3, 5.}, scene.state.x);
-      scene.system.relax_internal();
+      scene.system.converge_internal();
       time += curvature;
       scene.state.accept(time);
     }
@@ -57,7 +57,7 @@ void set_state(const Case& c, const double noise, TestScene<3>& scene)
     scene.state.rates = backward_differences(time + 0.2, {time - 0.12, time}, 2);
     scene.state.rates->heat = c.heat;
   }
-  scene.system.relax_internal();
+  scene.system.converge_internal();
 }
 
 TEST_P(Tangent, IsTheDerivativeOfTheResidual)

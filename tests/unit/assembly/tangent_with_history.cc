@@ -77,7 +77,7 @@ private:
       scene.state.rates = backward_differences(time, {before}, 1);
       set_bent_state(scene, curvature);
       add_noise(scene, {0.05 * curvature, 0.3, 5.}, scene.state.x);
-      scene.system.relax_internal();
+      scene.system.converge_internal();
       if (curvature < 0.2)
         scene.state.accept(time);
     }

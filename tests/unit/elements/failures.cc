@@ -71,11 +71,12 @@ long long unstable_directions(TestScene<2>& scene, const double stretch)
   displace(scene, [&](const dealii::Point<2>& X) {
     return dealii::Point<2>((l - 1.) * X[0], (stretch - 1.) * X[1]);
   });
-  scene.system.relax_internal();
+  scene.system.converge_internal();
   EXPECT_LT(scene.system.residual().norm, 1e-9);
-  scene.system.assemble_tangent();
+  scene.system.linear.assemble();
   Mumps solver(MPI_COMM_WORLD, true);
-  return scene.system.unstable_directions(solver.factorise(scene.system.tangent()).negative_pivots);
+  return scene.system.stability.unstable_directions(
+      solver.factorise(scene.system.linear.matrix()).negative_pivots);
 }
 
 /// The largest stretch below 1 at which the square is unstable, or 0 if there is none above 0.1.
@@ -128,7 +129,7 @@ double smallest_eigenvalue(const std::string& formulation, const int degree)
 {
   TestScene<2> scene(square(formulation, degree, 2, 2, "pin: u1 u3, tip: u1"));
   EXPECT_LT(scene.system.residual().norm, 1e-15) << "not at rest";
-  scene.system.assemble_tangent();
+  scene.system.linear.assemble();
   std::vector<unsigned int> free;
   for (unsigned int i = 0; i < scene.state.x.size(); ++i)
     if (!scene.conditions.constraints().is_constrained(i))
@@ -139,7 +140,7 @@ double smallest_eigenvalue(const std::string& formulation, const int degree)
   for (unsigned int j = 0; j < n; ++j) {
     e = 0.;
     e(free[j]) = 1.;
-    scene.system.tangent().vmult(column, e);
+    scene.system.linear.matrix().vmult(column, e);
     for (unsigned int i = 0; i < n; ++i)
       K(i, j) = column(free[i]);
   }
@@ -177,7 +178,7 @@ double checkerboard(const std::string& formulation, const int degree)
   const NewtonReport report = Newton().solve(scene.system);
   EXPECT_TRUE(report.converged) << report.reason;
   double sum = 0.;
-  const unsigned int n = scene.system.element().n_internal();
+  const unsigned int n = scene.system.cells.formulation().n_internal();
   for (std::size_t index = 0; index < 4; ++index) {
     const auto centre = scene.layout.cells()[index].iterator->center();
     sum += ((centre[0] < 1.) == (centre[1] < 1.) ? 1. : -1.) * scene.state.internal[index * n] / 4.;
@@ -250,9 +251,9 @@ TEST(ElementFailures, EnhancedStrainCountsInstabilitiesInsideItsCells)
       }
     scene.state.x.zero_out_ghost_values();
     scene.state.x.update_ghost_values();
-    scene.system.relax_internal();
-    const Formulation<2>& element = scene.system.element();
-    scene.system.for_each_cell([&](const CellView<2>& view) {
+    scene.system.converge_internal();
+    const Formulation<2>& element = scene.system.cells.formulation();
+    scene.system.cells.for_each([&](const CellView<2>& view) {
       CellResult result;
       element.tangent(view, result);
       std::printf("stretch %g: %d unstable direction(s) inside the cell\n", stretch,

@@ -22,8 +22,8 @@ std::pair<double, BlockVector> most_unstable_mode(TestScene<3>& scene)
 {
   constexpr unsigned int n = 80;
   Mumps solver(MPI_COMM_WORLD, true);
-  scene.system.assemble_tangent();
-  EXPECT_TRUE(solver.factorise(scene.system.tangent()).solved);
+  scene.system.linear.assemble();
+  EXPECT_TRUE(solver.factorise(scene.system.linear.matrix()).solved);
   std::vector<BlockVector> basis;
   dealii::LAPACKFullMatrix<double> H(n, n);
   BlockVector v = scene.layout.new_vector();

@@ -76,7 +76,7 @@ double error(TestScene<dim>& scene)
   scene.state.x.update_ghost_values();
   const NewtonReport report = Newton().solve(scene.system);
   EXPECT_TRUE(report.converged) << report.reason;
-  EXPECT_EQ(scene.system.unstable_directions(report.negative_pivots), 0);
+  EXPECT_EQ(scene.system.stability.unstable_directions(report.negative_pivots), 0);
   const double size = exact.l2_norm();
   BlockVector difference = scene.state.x;
   difference.zero_out_ghost_values();

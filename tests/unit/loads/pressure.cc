@@ -47,7 +47,7 @@ struct Pressed {
   {
     set_level(1.3);
     add_noise(scene, {0.03, 1., 0.}, scene.state.x);
-    scene.system.relax_internal();
+    scene.system.converge_internal();
   }
 
   void set_level(const double level)
@@ -105,12 +105,12 @@ void check_tangent(const std::string& text)
   BlockVector direction = scene.layout.new_vector(), slope = direction, product = direction;
   add_noise(scene, {1e-3, 0., 0.}, direction);
   ASSERT_TRUE(scene.system.residual().admissible());
-  scene.system.assemble_tangent();
-  scene.system.tangent().vmult(product, direction);
+  scene.system.linear.assemble();
+  scene.system.linear.matrix().vmult(product, direction);
   differentiate(
       scene, direction,
       [&]() {
-        scene.system.relax_internal();
+        scene.system.converge_internal();
         EXPECT_TRUE(scene.system.residual().admissible());
         return scene.system.free_residual();
       },

@@ -78,7 +78,7 @@ TEST(BlockSolver, SaysThatItDidNotConverge)
   const LinearReport report = scene.system.linear_solve(false);
   EXPECT_FALSE(report.solved);
   EXPECT_NE(report.reason.find("3 iterations"), std::string::npos) << report.reason;
-  EXPECT_FALSE(scene.system.knows_stability());
+  EXPECT_FALSE(scene.system.stability.is_known());
 }
 
 LinearProblem body(const unsigned int dimension, const unsigned long long unknowns)

@@ -41,7 +41,7 @@ void follow_rolling(const bool is_large)
 {
   TestScene<3> scene(bilayer("uniform", "mean dilatation", 2));
   Predictor<3> predictor(scene.layout, scene.conditions, scene.state);
-  predictor.setup(scene.system.element(), is_large);
+  predictor.setup(scene.system.cells.formulation(), is_large);
   for (const double load : {0.5, 0.7, 0.9}) {
     roll_up(scene, load);
     scene.state.accept(load);

@@ -37,15 +37,15 @@ template <int dim>
 void expect_second_order(TestScene<dim>& scene, const BlockVector& direction, const double distance)
 {
   const BlockVector solution = scene.state.x, forces = scene.system.free_residual();
-  Mumps solver(MPI_COMM_WORLD, scene.system.is_symmetric());
+  Mumps solver(MPI_COMM_WORLD, scene.system.linear.is_symmetric());
   const auto error_after_a_step_from = [&](const double d) {
     scene.state.x = solution;
     scene.state.x.add(d, direction);
     scene.state.x.update_ghost_values();
-    scene.system.relax_internal();
+    scene.system.converge_internal();
     EXPECT_TRUE(scene.system.residual().admissible());
-    scene.system.assemble_tangent();
-    EXPECT_TRUE(solver.factorise(scene.system.tangent()).solved);
+    scene.system.linear.assemble();
+    EXPECT_TRUE(solver.factorise(scene.system.linear.matrix()).solved);
     BlockVector correction = forces;
     correction -= scene.system.free_residual();
     EXPECT_TRUE(solver.solve(correction).solved);
@@ -83,7 +83,7 @@ template <int dim>
 void expect_tangent_is_derivative(TestScene<dim>& scene)
 {
   ASSERT_TRUE(scene.system.residual().admissible());
-  scene.system.assemble_tangent();
+  scene.system.linear.assemble();
   const BlockVector x = scene.state.x;
 
   // One direction per field, so that every block of the tangent is seen by itself.
@@ -94,13 +94,13 @@ void expect_tangent_is_derivative(TestScene<dim>& scene)
     BlockVector direction = scene.layout.new_vector();
     add_noise(scene, amplitude, direction);
     BlockVector product = scene.layout.new_vector();
-    scene.system.tangent().vmult(product, direction);
+    scene.system.linear.matrix().vmult(product, direction);
 
     BlockVector slope = scene.layout.new_vector();
     differentiate(
         scene, direction,
         [&]() {
-          scene.system.relax_internal();
+          scene.system.converge_internal();
           EXPECT_TRUE(scene.system.residual().admissible());
           return scene.system.free_residual();
         },
@@ -132,14 +132,14 @@ void expect_residual_is_slope_of_energy(TestScene<dim>& scene)
     scene.state.x = x;
     scene.state.x.add(step, direction);
     scene.state.x.update_ghost_values();
-    scene.system.relax_internal();
-    const Energies energies = scene.system.energies();
+    scene.system.converge_internal();
+    const Energies energies = scene.system.cells.energies();
     slope += weight / h * (energies.elastic - energies.electric);
   }
   slope = dealii::Utilities::MPI::sum(slope, MPI_COMM_WORLD);
   scene.state.x = x;
   scene.state.x.update_ghost_values();
-  scene.system.relax_internal();
+  scene.system.converge_internal();
   scene.system.residual();
   const double power = scene.system.free_residual() * direction;
   std::cout << "slope of the energy " << slope << ", residual times direction " << power << "\n";

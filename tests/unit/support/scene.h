@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/assembly/system.h>
+#include <thelma/assembly/discrete_system.h>
 #include <thelma/fields/mesh_order.h>
 #include <thelma/loads/prescribed.h>
 
@@ -17,7 +17,7 @@ template <int dim>
 struct TestScene {
   explicit TestScene(const std::string& text, const double theta = 293.)
       : file(ParameterFile::from_text(text)), materials(file), mesh(MPI_COMM_WORLD),
-        system(layout, conditions, loads, storage, state, timings)
+        system(layout, conditions, loads, storage, state, settings, timings)
   {
     dealii::ParameterHandler prm;
     materials.declare(prm);
@@ -25,7 +25,7 @@ struct TestScene {
     layout.declare(prm);
     conditions.declare(prm);
     loads.declare(prm);
-    system.declare(prm);
+    settings.declare(prm);
     file.read(prm);
     mesh.read(THELMA_SOURCE_DIR);
     layout.setup(mesh, materials);
@@ -41,7 +41,7 @@ struct TestScene {
     state.x = layout.new_vector();
     if (layout.has(Field::temperature))
       state.x.block(layout.block(Field::temperature)) = theta;
-    system.choose();
+    system.choose(Solved::all);
     system.setup();
     state.start();
   }
@@ -63,8 +63,9 @@ struct TestScene {
   Loads<dim> loads;
   HeatStorage<dim> storage;
   State state;
+  SystemSettings settings;
   Timings timings;
-  System<dim> system;
+  DiscreteSystem<dim> system;
 };
 
 /// Add noise to the owned free unknowns of every block, the same on any number of ranks.
