@@ -15,8 +15,8 @@ void System<dim>::start_internal()
 {
   const unsigned int n_internal = formulation->n_internal();
   for (std::size_t cell = 0; cell < layout.cells().size(); ++cell)
-    formulation->start_internal(*layout.cells()[cell].material, state.theta,
-                                state.internal.data() + cell * n_internal);
+    formulation->initialise_internal(*layout.cells()[cell].material, state.theta,
+                                     state.internal.data() + cell * n_internal);
 }
 
 template <int dim>

@@ -107,8 +107,8 @@ unsigned int PressureDilatation<dim>::n_elimination() const
 }
 
 template <int dim>
-void PressureDilatation<dim>::start_internal(const Material& material, const double theta,
-                                             double* values) const
+void PressureDilatation<dim>::initialise_internal(const Material& material, const double theta,
+                                                  double* values) const
 {
   std::fill(values, values + n_internal(), 0.);
   // The modes are either points, or polynomials of which the first is the constant.

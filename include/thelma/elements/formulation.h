@@ -145,8 +145,8 @@ public:
   virtual unsigned int n_internal() const { return 0; }
   virtual unsigned int n_elimination() const { return 0; } ///< size of CellResult::elimination
   /// What they are in the stress-free body of @p material at @p theta.
-  virtual void start_internal(const Material& /*material*/, double /*theta*/,
-                              double* /*values*/) const
+  virtual void initialise_internal(const Material& /*material*/, double /*theta*/,
+                                   double* /*values*/) const
   {
   }
   virtual void eliminate(const Elimination<dim>&, double* /*residual*/) const {}

@@ -26,7 +26,7 @@ public:
   unsigned int n_elimination() const override;
 
   /// p = 0 and t = J_theta.
-  void start_internal(const Material& material, double theta, double* values) const override;
+  void initialise_internal(const Material& material, double theta, double* values) const override;
 
   void residual(const CellView<dim>& view, CellResult& result) const override;
   void tangent(const CellView<dim>& view, CellResult& result) const override;
