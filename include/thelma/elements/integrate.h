@@ -14,7 +14,7 @@ void integrate_fields(const CellPoints<Fields::dim>& points, const CellView<Fiel
                       const EnergyTerm& term, const bool with_tangent, CellResult& result)
 {
   const Material& material = *view.cell.material;
-  std::array<PointSystem<Fields>, CellPoints<Fields::dim>::max_batches> systems;
+  std::array<PointFluxes<Fields>, CellPoints<Fields::dim>::max_batches> fluxes;
   for (unsigned int k = 0; k < points.n_batches(); ++k) {
     const unsigned int q = k * Lanes::n;
     const PointInput<Lanes>& input = points.input[k];
@@ -23,19 +23,19 @@ void integrate_fields(const CellPoints<Fields::dim>& points, const CellView<Fiel
     for (unsigned int lane = 0; lane < Lanes::n && q + lane < points.n_points; ++lane)
       weights.set(lane, points.geometry[q + lane].JxW);
     if constexpr (Fields::has_temperature) {
-      systems[k].clear();
+      fluxes[k].clear();
       if constexpr (EnergyTerm::conducts)
-        set_heat_flux(material.thermal.heat_flux(kin, input.grad_theta), weights, systems[k]);
+        set_heat_flux(material.thermal.heat_flux(kin, input.grad_theta), weights, fluxes[k]);
     }
     if constexpr (Fields::has_deformation) {
       if (with_tangent) {
         SecondDerivatives<Lanes> d{};
         term.add(material, input.state, kin, q, d);
-        set_moduli(d, weights, systems[k]);
+        set_moduli(d, weights, fluxes[k]);
       } else {
         FirstDerivatives<Lanes> d{};
         term.add(material, input.state, kin, q, d);
-        set_fluxes(d, weights, systems[k]);
+        set_fluxes(d, weights, fluxes[k]);
       }
     }
   }
@@ -43,10 +43,9 @@ void integrate_fields(const CellPoints<Fields::dim>& points, const CellView<Fiel
   const CellComponents components{
       Fields::has_deformation ? 0 : view.cell.component(Field::temperature), n_c};
   if (with_tangent)
-    add_tangent(points.gradients.data(), systems.data(), points.n_points, components,
-                result.blocks);
+    add_tangent(points.gradients.data(), fluxes.data(), points.n_points, components, result.blocks);
   else
-    add_residual(points.gradients.data(), systems.data(), points.n_points, components,
+    add_residual(points.gradients.data(), fluxes.data(), points.n_points, components,
                  result.residual.data());
 }
 
