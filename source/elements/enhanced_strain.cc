@@ -27,7 +27,7 @@ public:
     if (layout.degree() != 1)
       throw InputError("section Discretisation, entry 'Formulation': 'enhanced strain' improves "
                        "linear elements; set Degree = 1, or Formulation = mean dilatation");
-    this->use(layout, 2, this->polynomials(2, dim + 1), dim + 1, dim);
+    this->use(layout, 2, DilatationModes<dim>::polynomials(2, dim + 1), dim + 1, dim);
     n_components = layout.n_components();
     centre.emplace(layout, 1);
     const Integration<dim> rule(layout, 2);
