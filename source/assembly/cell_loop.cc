@@ -28,8 +28,8 @@ void CellLoop<dim>::initialise_internal()
 {
   const unsigned int n_internal = element->n_internal();
   for (std::size_t cell = 0; cell < layout.cells().size(); ++cell)
-    element->start_internal(*layout.cells()[cell].material, state.theta,
-                            state.internal.data() + cell * n_internal);
+    element->initialise_internal(*layout.cells()[cell].material, state.theta,
+                                 state.internal.data() + cell * n_internal);
 }
 
 /// As many numbers for every point of every rank, so that they can be handed to other ranks.

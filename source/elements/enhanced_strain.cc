@@ -1,4 +1,5 @@
 #include <thelma/base/error.h>
+#include <thelma/elements/enhanced_modes.h>
 #include <thelma/elements/pressure_dilatation.h>
 
 #include <algorithm>
@@ -27,15 +28,9 @@ public:
     if (layout.degree() != 1)
       throw InputError("section Discretisation, entry 'Formulation': 'enhanced strain' improves "
                        "linear elements; set Degree = 1, or Formulation = mean dilatation");
-    this->use(layout, 2, this->polynomials(2, dim + 1), dim + 1, dim);
+    this->use(layout, 2, DilatationModes<dim>::polynomials(2, dim + 1), dim + 1, dim);
     n_components = layout.n_components();
-    centre.emplace(layout, 1);
-    const Integration<dim> rule(layout, 2);
-    modes.clear();
-    for (std::size_t cell = 0; cell < layout.cells().size(); ++cell)
-      for (unsigned int q = 0; q < n_points; ++q)
-        modes.push_back(
-            gradients(*centre->of_cell(cell), rule.quadrature(), q, rule.of_cell(cell)[q].JxW));
+    modes.emplace(layout);
   }
 
   unsigned int n_internal() const override { return Base::n_internal() + dim * n_components; }
@@ -122,27 +117,24 @@ public:
 
   void pull_back(const CellView<dim>& view, double* values) const override
   {
-    transform(view, dealii::invert(centre_gradient(view)), values);
+    modes->pull_back(view, values + Base::n_internal());
   }
 
   void push_forward(const CellView<dim>& view, double* values) const override
   {
-    transform(view, centre_gradient(view), values);
+    modes->push_forward(view, values + Base::n_internal());
   }
 
 protected:
   void enhance(const std::size_t cell, const unsigned int q,
                Gradients<dim>& gradients) const override
   {
-    for (int J = 0; J < dim; ++J)
-      for (int k = 0; k < dim; ++k)
-        gradients.g[J][n_nodes - dim + k] = modes[cell * n_points + q][J][k];
+    modes->set_gradients(cell, q, gradients);
   }
 
 private:
   using Base = PressureDilatation<dim>;
-  using ModeGradients = std::array<std::array<double, dim>, dim>; ///< dM_k/dX_J, [J][k]
-  static constexpr unsigned int n_points = 1u << dim, n_nodes = n_points + dim;
+  static constexpr unsigned int n_nodes = EnhancedModes<dim>::n_nodes + dim;
 
   /// Where elimination keeps what belongs to the rows n_outer to n - 1.
   template <typename Number>
@@ -203,13 +195,9 @@ private:
     const Material& material = *view.cell.material;
     const auto units = flux_units(material, view.theta);
     const int n_c = view.cell.n_components;
-    const double volume = centre->of_cell(view.index)->JxW;
     double sum = 0.;
     for (int k = 0; k < dim; ++k) {
-      double size = 0.; // of the mode, 1/mm^2 over the cell
-      for (unsigned int q = 0; q < n_points; ++q)
-        for (int J = 0; J < dim; ++J)
-          size += std::pow(modes[view.index * n_points + q][J][k], 2) * volume / n_points;
+      const double size = modes->squared_norm(view.index, k);
       for (int c = 0; c < n_c; ++c) {
         const double unit = units[static_cast<std::size_t>(view.cell.field_of(c))];
         if (unit > 0.) // without conduction a mode of the temperature does nothing
@@ -254,49 +242,8 @@ private:
     }
   };
 
-  /// (j_0 / j) times the slope of xi_k^2/2 on the cell, j_0 and the Jacobian being those of the
-  /// centre: int Grad M_k dV = 0.
-  static ModeGradients gradients(const PointGeometry<dim>& centre,
-                                 const dealii::Quadrature<dim>& rule, const unsigned int q,
-                                 const double JxW)
-  {
-    const double ratio = centre.JxW * rule.weight(q) / JxW;
-    ModeGradients g;
-    for (int k = 0; k < dim; ++k)
-      for (int J = 0; J < dim; ++J)
-        g[J][k] = ratio * (2. * rule.point(q)[k] - 1.) * centre.inverse_jacobian[k][J];
-    return g;
-  }
-
-  /// F at the centre, where the modes vanish.
-  dealii::Tensor<2, dim> centre_gradient(const CellView<dim>& view) const
-  {
-    const Gradients<dim> gradients(centre->basis(), 0, *centre->of_cell(view.index));
-    const PointState<> state = point_state(view, gradients);
-    dealii::Tensor<2, dim> F;
-    for (int i = 0; i < dim; ++i)
-      for (int J = 0; J < dim; ++J)
-        F[i][J] = state.F[axis<dim>(i)][axis<dim>(J)];
-    return F;
-  }
-
-  /// Multiply the displacement of each mode by @p A.
-  void transform(const CellView<dim>& view, const dealii::Tensor<2, dim>& A, double* values) const
-  {
-    double* alpha = values + Base::n_internal();
-    for (int k = 0; k < dim; ++k, alpha += view.cell.n_components) {
-      dealii::Tensor<1, dim> a;
-      for (int i = 0; i < dim; ++i)
-        a[i] = alpha[i];
-      a = A * a;
-      for (int i = 0; i < dim; ++i)
-        alpha[i] = a[i];
-    }
-  }
-
-  std::optional<Integration<dim>> centre;
-  std::vector<ModeGradients> modes; ///< at the points of every cell
-  unsigned int n_components = 0;    ///< of the cell that has most
+  std::optional<EnhancedModes<dim>> modes;
+  unsigned int n_components = 0; ///< of the cell that has most
 };
 
 } // namespace

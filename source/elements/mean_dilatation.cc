@@ -14,7 +14,7 @@ public:
   void setup(const FieldLayout<dim>& layout) override
   {
     const unsigned int n_points = layout.degree() + 1, n_modes = layout.degree() == 1 ? 1 : dim + 1;
-    this->use(layout, n_points, this->polynomials(n_points, n_modes), n_modes);
+    this->use(layout, n_points, DilatationModes<dim>::polynomials(n_points, n_modes), n_modes);
   }
 };
 

@@ -1,8 +1,6 @@
 #include <thelma/elements/pressure_dilatation.h>
 #include <thelma/elements/stabilisation.h>
 
-#include <numeric>
-
 namespace thelma
 {
 namespace
@@ -47,10 +45,10 @@ struct PressureDilatation<dim>::Local {
   Local(const PressureDilatation& f, const CellView<dim>& view, const CellPoints<dim>& points)
       : stabilisation(f.reduced ? 0. : view.stabilisation), min_det(points.min_det_F)
   {
-    const unsigned int n = f.n_modes;
+    const unsigned int n = f.modes->size();
     const double *pressures = view.internal, *dilatations = view.internal + n;
     for (unsigned int q = 0; q < points.n_points; ++q) {
-      const Modes& m = f.modes[q];
+      const Modes& m = f.modes->at(q);
       double pressure = 0., dilatation = 0.;
       for (unsigned int i = 0; i < n; ++i) {
         pressure += m[i] * pressures[i];
@@ -93,25 +91,23 @@ void PressureDilatation<dim>::use(const FieldLayout<dim>& layout, const unsigned
   if (n_points != layout.degree() + 1)
     reduced.emplace(layout, n_points, n_enhanced);
   has_temperature = layout.has(Field::temperature);
-  modes = values;
-  n_modes = n;
-  mass_inverse.clear();
-  for (std::size_t cell = 0; cell < layout.cells().size(); ++cell)
-    mass_inverse.push_back(invert_mass(rule().of_cell(cell)));
+  modes.emplace(rule(), layout.cells().size(), values, n);
 }
 
 template <int dim>
 unsigned int PressureDilatation<dim>::n_elimination() const
 {
-  return n_modes * n_modes + 1 + (dim + (has_temperature ? 2 : 0)) * block_size();
+  const unsigned int n = modes->size();
+  return n * n + 1 + (dim + (has_temperature ? 2 : 0)) * modes->block_size();
 }
 
 template <int dim>
-void PressureDilatation<dim>::start_internal(const Material& material, const double theta,
-                                             double* values) const
+void PressureDilatation<dim>::initialise_internal(const Material& material, const double theta,
+                                                  double* values) const
 {
   std::fill(values, values + n_internal(), 0.);
   // The modes are either points, or polynomials of which the first is the constant.
+  const unsigned int n_modes = modes->size();
   std::fill(values + n_modes, values + n_modes + (reduced ? n_modes : 1),
             std::pow(material.thermal.split(theta), -3));
 }
@@ -141,10 +137,11 @@ void PressureDilatation<dim>::residual(const CellView<dim>& view, CellResult& re
       return;
     integrate_energy(view, points, own, local, false, result);
     add_heat(view, own, false, result);
+    const unsigned int n_modes = modes->size();
     result.internal.assign(local.R_p.begin(), local.R_p.begin() + n_modes);
     result.internal.insert(result.internal.end(), local.R_t.begin(), local.R_t.begin() + n_modes);
-    const ModeMatrix& M = mass_inverse[view.index];
-    const Modes p = times(M, local.R_p), t = times(M, local.R_t);
+    const Modes p = modes->apply_mass_inverse(view.index, local.R_p),
+                t = modes->apply_mass_inverse(view.index, local.R_t);
     const double mu = view.cell.material->shear_modulus(view.theta);
     for (unsigned int i = 0; i < n_modes; ++i)
       result.internal_error += local.R_p[i] * p[i] + local.R_t[i] * t[i] / (mu * mu);
@@ -170,21 +167,34 @@ template <int dim>
 double PressureDilatation<dim>::stabilisation(const CellView<dim>& view) const
 {
   constexpr double part = 0.999;
-  const double dilatation = view.internal[n_modes];
+  const double dilatation = view.internal[modes->size()];
   double needed = 0.;
   if (reduced || !view.cell.has_potential || !(dilatation > 0.))
     return needed;
   const Material& material = *view.cell.material;
   with_points(view, [&](const CellPoints<dim>& points, const CellPoints<dim>&) {
     for (unsigned int q = 0; q < points.n_points; ++q) {
-      const double pressure =
-          std::inner_product(modes[q].begin(), modes[q].begin() + n_modes, view.internal, 0.);
+      const double pressure = modes->combination(modes->at(q), view.internal);
       const double most = part * material.thermal.volumetric(dilatation, points.theta(q)).dp_dJ;
       needed =
           std::max(needed, needed_stabilisation(material, points.state(q), pressure, dim, most));
     }
   });
   return needed;
+}
+
+template <int dim>
+Modes PressureDilatation<dim>::modes_at(const dealii::Point<dim>& xi) const
+{
+  return DilatationModes<dim>::polynomials_at(xi, modes->size());
+}
+
+/// Without the part of the stabilisation, whose mean over the cell is zero.
+template <int dim>
+double PressureDilatation<dim>::pressure(const CellView<dim>& view, const dealii::Point<dim>& xi,
+                                         const PointState<>&) const
+{
+  return modes->combination(modes_at(xi), view.internal);
 }
 
 template <int dim>
@@ -228,10 +238,11 @@ void PressureDilatation<dim>::add_condensed(const CellView<dim>& view,
                                             const CellPoints<dim>& points, const Local& local,
                                             CellResult& result) const
 {
-  const int n_c = view.cell.n_components;
-  const ModeMatrix& M = mass_inverse[view.index];
+  const unsigned int n_modes = modes->size();
+  const std::size_t block_size = modes->block_size();
+  const ModeMatrix& M = modes->mass_inverse(view.index);
   result.elimination.assign(n_elimination(), 0.);
-  const Kept<double> kept(*this, result.elimination.data());
+  const Kept<double> kept(n_modes, result.elimination.data());
   double *S = kept.S, *B = kept.B;
   for (unsigned int i = 0; i < n_modes; ++i)
     for (unsigned int j = 0; j < n_modes; ++j) {
@@ -243,11 +254,11 @@ void PressureDilatation<dim>::add_condensed(const CellView<dim>& view,
   *kept.stabilisation = local.stabilisation;
 
   for (int c = 0; c < dim; ++c)
-    set_constraint(points, c, B + c * block_size());
+    modes->set_constraint(points, c, B + c * block_size);
   if (has_temperature)
     for (unsigned int q = 0; q < points.n_points; ++q)
-      add_rows(modes[q], points.geometry[q].JxW * local.dp_dtheta[q], points.gradients[q].N,
-               B + dim * block_size());
+      modes->add_rows(q, points.geometry[q].JxW * local.dp_dtheta[q], points.gradients[q].N,
+                      B + dim * block_size);
 
   if (!view.solves_deformation())
     return;
@@ -256,10 +267,11 @@ void PressureDilatation<dim>::add_condensed(const CellView<dim>& view,
     std::copy_n(S + std::size_t(i) * n_modes, n_modes, stiffness[i].begin());
   if (!view.keeps_pressures)
     for (int d = 0; d < dim; ++d)
-      add_product(B, 0, view.solves_temperature() ? dim : d + 1, stiffness, B + d * block_size(), d,
-                  result);
+      modes->add_product(B, 0, view.solves_temperature() ? dim : d + 1, stiffness,
+                         B + d * block_size, d, result.blocks);
   if (view.solves_temperature())
-    add_product(B, 0, dim, M, B + dim * block_size(), n_c - 1, result);
+    modes->add_product(B, 0, dim, M, B + dim * block_size, view.cell.n_components - 1,
+                       result.blocks);
 }
 
 template class PressureDilatation<2>;

@@ -14,16 +14,14 @@ void PressureDilatation<dim>::add_heat(const CellView<dim>& view, const CellPoin
   const unsigned int n_nodes = rule().basis().n_nodes;
   const int n_c = view.cell.n_components, heat = view.cell.component(Field::temperature);
   const CellHistory& history = *view.history;
-  double* B = Kept<double>(*this, result.elimination.data()).B;
-  double* dh_dt = B + (dim + 1) * block_size();
+  const std::size_t block_size = modes->block_size();
+  double* B = Kept<double>(modes->size(), result.elimination.data()).B;
+  double* dh_dt = B + (dim + 1) * block_size;
   for (unsigned int q = 0; q < points.n_points; ++q) {
     const double* N = points.gradients[q].N;
     const double w = points.geometry[q].JxW, theta = points.theta(q);
     const auto dilatation = [&](const double* internal) {
-      double t = 0.;
-      for (unsigned int i = 0; i < n_modes; ++i)
-        t += modes[q][i] * internal[n_modes + i];
-      return t;
+      return modes->combination(modes->at(q), internal + modes->size());
     };
     std::array<double, 2> t_past{}, theta_past{};
     for (std::size_t k = 0; k < history.rates.n_past; ++k) {
@@ -38,14 +36,15 @@ void PressureDilatation<dim>::add_heat(const CellView<dim>& view, const CellPoin
         result.residual[a * n_c + heat] += w * theta * rate.h * N[a];
       continue;
     }
-    add_rows(modes[q], w * theta * rate.d_dt, N, dh_dt);
+    modes->add_rows(q, w * theta * rate.d_dt, N, dh_dt);
     for (unsigned int a = 0; a < n_nodes; ++a)
       for (unsigned int b = 0; b < n_nodes; ++b)
         result.blocks.entry(heat, heat, a, b) += w * (rate.h + theta * rate.d_dtheta) * N[a] * N[b];
   }
   if (with_tangent && view.solves_deformation())
     for (int d = 0; d < dim; ++d)
-      add_product(dh_dt, heat, heat + 1, mass_inverse[view.index], B + d * block_size(), d, result);
+      modes->add_product(dh_dt, heat, heat + 1, modes->mass_inverse(view.index), B + d * block_size,
+                         d, result.blocks);
 }
 
 template void PressureDilatation<2>::add_heat(const CellView<2>&, const CellPoints<2>&, bool,

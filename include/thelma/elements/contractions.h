@@ -1,7 +1,7 @@
 #pragma once
 
 #include <thelma/elements/basis.h>
-#include <thelma/elements/point_system.h>
+#include <thelma/elements/point_fluxes.h>
 #include <thelma/elements/tangent_blocks.h>
 
 #include <array>
@@ -98,7 +98,7 @@ struct CellComponents {
 
 /// R_ac += sum_qJ S_q,cJ dN_a/dX_J, the weights being in S.
 template <typename Fields>
-void add_residual(const Gradients<Fields::dim>* gradients, const PointSystem<Fields>* systems,
+void add_residual(const Gradients<Fields::dim>* gradients, const PointFluxes<Fields>* fluxes,
                   const unsigned int n_points, const CellComponents& components, double* residual)
 {
   constexpr int dim = Fields::dim, n_c = Fields::n;
@@ -108,7 +108,7 @@ void add_residual(const Gradients<Fields::dim>* gradients, const PointSystem<Fie
     for (int c = 0; c < n_c; ++c)
       for (int J = 0; J < dim; ++J)
         for (unsigned int a = 0; a < stride; ++a)
-          rows[c][a] += systems[q / Lanes::n].S[c][J][q % Lanes::n] * gradients[q].g[J][a];
+          rows[c][a] += fluxes[q / Lanes::n].S[c][J][q % Lanes::n] * gradients[q].g[J][a];
   for (unsigned int a = 0; a < n_nodes; ++a)
     for (int c = 0; c < n_c; ++c)
       residual[a * components.n + components.first + c] += rows[c][a];
@@ -116,7 +116,7 @@ void add_residual(const Gradients<Fields::dim>* gradients, const PointSystem<Fie
 
 /// T_qJ,b = M_cJLd dN_b/dX_L + m_cJ N_b [d is theta] at the point in @p lane.
 template <typename Fields>
-void apply_moduli(const Gradients<Fields::dim>& gradients, const PointSystem<Fields>& system,
+void apply_moduli(const Gradients<Fields::dim>& gradients, const PointFluxes<Fields>& fluxes,
                   const unsigned int lane, const int c, const int d, double* T)
 {
   constexpr int dim = Fields::dim;
@@ -124,9 +124,9 @@ void apply_moduli(const Gradients<Fields::dim>& gradients, const PointSystem<Fie
   double M[dim][dim], m[dim] = {};
   for (int J = 0; J < dim; ++J) {
     for (int L = 0; L < dim; ++L)
-      M[J][L] = system.M[c][J][L][d][lane];
+      M[J][L] = fluxes.M[c][J][L][d][lane];
     if (Fields::has_temperature && d == Fields::n - 1)
-      m[J] = system.m[c][J][lane];
+      m[J] = fluxes.m[c][J][lane];
   }
   for (unsigned int b = 0; b < stride; b += 4) {
     Register g[dim];
@@ -147,7 +147,7 @@ void apply_moduli(const Gradients<Fields::dim>& gradients, const PointSystem<Fie
 /// small matrices over all points at once. Without temperature the tangent is symmetric and half of
 /// the components' pairs do.
 template <typename Fields>
-void add_tangent(const Gradients<Fields::dim>* gradients, const PointSystem<Fields>* systems,
+void add_tangent(const Gradients<Fields::dim>* gradients, const PointFluxes<Fields>* fluxes,
                  const unsigned int n_points, const CellComponents& components,
                  TangentBlocks& tangent)
 {
@@ -162,7 +162,7 @@ void add_tangent(const Gradients<Fields::dim>* gradients, const PointSystem<Fiel
   for (int c = 0; c < n_c; ++c)
     for (int d = Fields::has_temperature ? 0 : c; d < n_c; ++d) {
       for (unsigned int q = 0; q < n_points; ++q)
-        apply_moduli(gradients[q], systems[q / Lanes::n], q % Lanes::n, c, d,
+        apply_moduli(gradients[q], fluxes[q / Lanes::n], q % Lanes::n, c, d,
                      T.data() + q * dim * gradients->stride);
       tangent.add_product(components.first + c, components.first + d, n_points * dim, g.data(),
                           T.data());

@@ -102,13 +102,16 @@ inline std::array<double, n_field_kinds> flux_units(const Material& material, co
 /// Values of one cell's pressure or dilatation modes; unused ones stay zero.
 using Modes = std::array<double, 8>;
 
+/// A matrix with a row and a column for each mode.
+using ModeMatrix = std::array<Modes, 8>;
+
 /// How the pressures of a cell answer to its displacements: q = S B u. Entry (i, c, a) of B is
 /// gradient[(c * n + i) * stride + a].
 struct PressureBlock {
   unsigned int n, stride, n_nodes;
   const double* stiffness; ///< S, row by row
   const double* gradient;
-  const std::array<Modes, 8>* mass_inverse;
+  const ModeMatrix* mass_inverse;
 };
 
 /// Residual and tangent of one cell. A new formulation is one file and one line in list.cc.
@@ -145,8 +148,8 @@ public:
   virtual unsigned int n_internal() const { return 0; }
   virtual unsigned int n_elimination() const { return 0; } ///< size of CellResult::elimination
   /// What they are in the stress-free body of @p material at @p theta.
-  virtual void start_internal(const Material& /*material*/, double /*theta*/,
-                              double* /*values*/) const
+  virtual void initialise_internal(const Material& /*material*/, double /*theta*/,
+                                   double* /*values*/) const
   {
   }
   virtual void eliminate(const Elimination<dim>&, double* /*residual*/) const {}

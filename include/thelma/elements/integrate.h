@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/elements/parts.h>
+#include <thelma/elements/energy_terms.h>
 #include <thelma/elements/structural_heat.h>
 
 #include <algorithm>
@@ -8,13 +8,13 @@
 namespace thelma
 {
 
-/// Add the integral of @p part over one cell to its residual or tangent.
-template <typename Fields, typename Part>
+/// Add the integral of @p term over one cell to its residual or tangent.
+template <typename Fields, typename EnergyTerm>
 void integrate_fields(const CellPoints<Fields::dim>& points, const CellView<Fields::dim>& view,
-                      const Part& part, const bool with_tangent, CellResult& result)
+                      const EnergyTerm& term, const bool with_tangent, CellResult& result)
 {
   const Material& material = *view.cell.material;
-  std::array<PointSystem<Fields>, CellPoints<Fields::dim>::max_batches> systems;
+  std::array<PointFluxes<Fields>, CellPoints<Fields::dim>::max_batches> fluxes;
   for (unsigned int k = 0; k < points.n_batches(); ++k) {
     const unsigned int q = k * Lanes::n;
     const PointInput<Lanes>& input = points.input[k];
@@ -23,19 +23,19 @@ void integrate_fields(const CellPoints<Fields::dim>& points, const CellView<Fiel
     for (unsigned int lane = 0; lane < Lanes::n && q + lane < points.n_points; ++lane)
       weights.set(lane, points.geometry[q + lane].JxW);
     if constexpr (Fields::has_temperature) {
-      systems[k].clear();
-      if constexpr (Part::conducts)
-        set_heat_flux(material.thermal.heat_flux(kin, input.grad_theta), weights, systems[k]);
+      fluxes[k].clear();
+      if constexpr (EnergyTerm::conducts)
+        set_heat_flux(material.thermal.heat_flux(kin, input.grad_theta), weights, fluxes[k]);
     }
     if constexpr (Fields::has_deformation) {
       if (with_tangent) {
         SecondDerivatives<Lanes> d{};
-        part.add(material, input.state, kin, q, d);
-        set_moduli(d, weights, systems[k]);
+        term.add(material, input.state, kin, q, d);
+        set_moduli(d, weights, fluxes[k]);
       } else {
         FirstDerivatives<Lanes> d{};
-        part.add(material, input.state, kin, q, d);
-        set_fluxes(d, weights, systems[k]);
+        term.add(material, input.state, kin, q, d);
+        set_fluxes(d, weights, fluxes[k]);
       }
     }
   }
@@ -43,37 +43,36 @@ void integrate_fields(const CellPoints<Fields::dim>& points, const CellView<Fiel
   const CellComponents components{
       Fields::has_deformation ? 0 : view.cell.component(Field::temperature), n_c};
   if (with_tangent)
-    add_tangent(points.gradients.data(), systems.data(), points.n_points, components,
-                result.blocks);
+    add_tangent(points.gradients.data(), fluxes.data(), points.n_points, components, result.blocks);
   else
-    add_residual(points.gradients.data(), systems.data(), points.n_points, components,
+    add_residual(points.gradients.data(), fluxes.data(), points.n_points, components,
                  result.residual.data());
 }
 
 /// integrate_fields() for whatever fields are solved for, and the structural heat; nothing where
 /// det F is not positive.
-template <typename Part, int dim>
-void integrate(const CellPoints<dim>& points, const CellView<dim>& view, const Part& part,
+template <typename EnergyTerm, int dim>
+void integrate(const CellPoints<dim>& points, const CellView<dim>& view, const EnergyTerm& term,
                const bool with_tangent, CellResult& result)
 {
   result.min_det_F = std::min(result.min_det_F, points.min_det_F);
   if (!(points.min_det_F > 0.))
     return;
   const bool potential = view.cell.has_potential, temperature = view.solves_temperature();
-  if constexpr (Part::conducts)
+  if constexpr (EnergyTerm::conducts)
     if (temperature && view.history)
-      add_structural_heat(points, view, part, with_tangent, result);
+      add_structural_heat(points, view, term, with_tangent, result);
   if (!view.solves_deformation()) {
-    if constexpr (Part::conducts)
-      integrate_fields<TemperatureOnly<dim>>(points, view, part, with_tangent, result);
+    if constexpr (EnergyTerm::conducts)
+      integrate_fields<TemperatureOnly<dim>>(points, view, term, with_tangent, result);
   } else if (potential && temperature)
-    integrate_fields<Components<dim, true, true>>(points, view, part, with_tangent, result);
+    integrate_fields<Components<dim, true, true>>(points, view, term, with_tangent, result);
   else if (potential)
-    integrate_fields<Components<dim, true, false>>(points, view, part, with_tangent, result);
+    integrate_fields<Components<dim, true, false>>(points, view, term, with_tangent, result);
   else if (temperature)
-    integrate_fields<Components<dim, false, true>>(points, view, part, with_tangent, result);
+    integrate_fields<Components<dim, false, true>>(points, view, term, with_tangent, result);
   else
-    integrate_fields<Components<dim, false, false>>(points, view, part, with_tangent, result);
+    integrate_fields<Components<dim, false, false>>(points, view, term, with_tangent, result);
 }
 
 } // namespace thelma

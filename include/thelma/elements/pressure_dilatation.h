@@ -1,9 +1,8 @@
 #pragma once
 
-#include <thelma/elements/formulation.h>
+#include <thelma/elements/dilatation_modes.h>
 #include <thelma/elements/integrate.h>
 
-#include <array>
 #include <optional>
 
 namespace thelma
@@ -22,17 +21,17 @@ template <int dim>
 class PressureDilatation : public Formulation<dim>
 {
 public:
-  unsigned int n_internal() const override { return 2 * n_modes; }
+  unsigned int n_internal() const override { return 2 * modes->size(); }
   unsigned int n_elimination() const override;
 
   /// p = 0 and t = J_theta.
-  void start_internal(const Material& material, double theta, double* values) const override;
+  void initialise_internal(const Material& material, double theta, double* values) const override;
 
   void residual(const CellView<dim>& view, CellResult& result) const override;
   void tangent(const CellView<dim>& view, CellResult& result) const override;
   void eliminate(const Elimination<dim>& cell, double* residual) const override;
   void recover(const Elimination<dim>& cell, const double* dx, double* correction) const override;
-  unsigned int n_kept_pressures() const override { return n_modes; }
+  unsigned int n_kept_pressures() const override { return modes->size(); }
   PressureBlock pressures(const Elimination<dim>& cell) const override;
   double pressure(const CellView<dim>& view, const dealii::Point<dim>& xi,
                   const PointState<>& state) const override;
@@ -43,35 +42,25 @@ public:
 
 protected:
   /// Take the volumetric terms by Gauss's rule of @p n_points per direction and let p and t be
-  /// combinations of @p modes, given by their values at its points. A cell has @p n_enhanced modes
-  /// after its nodes, see enhance().
-  void use(const FieldLayout<dim>& layout, unsigned int n_points, const std::vector<Modes>& modes,
+  /// combinations of @p n_modes modes, given by their @p values at its points. A cell has
+  /// @p n_enhanced modes after its nodes, see enhance().
+  void use(const FieldLayout<dim>& layout, unsigned int n_points, const std::vector<Modes>& values,
            unsigned int n_modes, unsigned int n_enhanced = 0);
 
-  /// Gauss's rule of the volumetric terms.
-  static std::vector<dealii::Point<dim>> points(unsigned int n_points);
-
-  /// The constant and, if @p n_modes is dim + 1, the coordinates on the cell, at these points.
-  static std::vector<Modes> polynomials(unsigned int n_points, unsigned int n_modes);
-
-  /// They at any point of the reference cell.
-  static Modes polynomials_at(const dealii::Point<dim>& xi, unsigned int n_modes);
-
-  /// The modes at any point of the reference cell.
+  /// The modes at any point of the reference cell: polynomials, unless overridden.
   virtual Modes modes_at(const dealii::Point<dim>& xi) const;
 
   /// Set the gradients of the modes after the nodes at one point.
   virtual void enhance(std::size_t /*cell*/, unsigned int /*q*/, Gradients<dim>&) const {}
 
 private:
-  using ModeMatrix = std::array<Modes, 8>;
   struct Local;
 
   /// What elimination keeps of a tangent.
   template <typename Number>
   struct Kept {
-    Kept(const PressureDilatation& f, Number* start)
-        : S(start), stabilisation(S + std::size_t(f.n_modes) * f.n_modes), B(stabilisation + 1)
+    Kept(const unsigned int n_modes, Number* start)
+        : S(start), stabilisation(S + std::size_t(n_modes) * n_modes), B(stabilisation + 1)
     {
     }
     Number *S, *stabilisation, *B;
@@ -87,20 +76,11 @@ private:
                      CellResult& result) const;
   void add_heat(const CellView<dim>& view, const CellPoints<dim>& points, bool with_tangent,
                 CellResult& result) const;
-  void add_product(const double* A, int first, int last, const ModeMatrix& S, const double* B,
-                   int d, CellResult& result) const;
-  void set_constraint(const CellPoints<dim>& points, int c, double* rows) const;
-  void add_rows(const Modes& m, double w, const double* g, double* rows) const;
-  Modes times(const ModeMatrix& A, const Modes& x) const;
-  ModeMatrix invert_mass(const PointGeometry<dim>* geometry) const;
-  std::size_t block_size() const { return n_modes * rule().basis().stride; }
   const Integration<dim>& rule() const { return reduced ? *reduced : *full; }
 
   std::optional<Integration<dim>> full, reduced; ///< reduced: empty if it is the full rule
-  unsigned int n_modes = 0;
+  std::optional<DilatationModes<dim>> modes;     ///< at the points of rule()
   bool has_temperature = false;
-  std::vector<Modes> modes;             ///< m_i at the points of rule()
-  std::vector<ModeMatrix> mass_inverse; ///< M, per cell
 };
 
 } // namespace thelma

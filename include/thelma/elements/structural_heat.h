@@ -10,9 +10,10 @@ namespace thelma
 {
 
 /// h at one point; @p past(k) is the state there k + 1 accepted states ago.
-template <typename Part, typename Past>
-EntropyRate entropy_rate(const Part& part, const Material& material, const PointState<>& state,
-                         const Past& past, const unsigned int q, const Rates& rates)
+template <typename EnergyTerm, typename Past>
+EntropyRate entropy_rate(const EnergyTerm& term, const Material& material,
+                         const PointState<>& state, const Past& past, const unsigned int q,
+                         const Rates& rates)
 {
   EntropyRate out;
   if (rates.heat == StructuralHeat::power) {
@@ -23,28 +24,28 @@ EntropyRate entropy_rate(const Part& part, const Material& material, const Point
             rates.of(state.F[i][J], [&](const std::size_t k) { return past(k).F[i][J]; });
       motion.E[i] = rates.of(state.E[i], [&](const std::size_t k) { return past(k).E[i]; });
     }
-    part.add_entropy_rate(material, state, motion, out);
+    term.add_entropy_rate(material, state, motion, out);
     return out;
   }
   const auto eta = [&](const PointState<>& s) {
     FirstDerivatives<> d{};
-    part.add(material, s, Kinematics<>(s.F), q, d);
+    term.add(material, s, Kinematics<>(s.F), q, d);
     return material.thermal.coupling_entropy(s.theta, d.eta);
   };
   out.h = rates.of(eta(state), [&](const std::size_t k) { return eta(past(k)); });
   SecondDerivatives<> d{};
-  part.add(material, state, Kinematics<>(state.F), q, d);
+  term.add(material, state, Kinematics<>(state.F), q, d);
   out.d_dFdot = -1. * d.dP_dtheta;
   out.d_dEdot = d.dD_dtheta;
-  out.d_dtheta =
-      rates.weights[0] * (d.deta_dtheta - (Part::conducts ? material.thermal.c / state.theta : 0.));
+  out.d_dtheta = rates.weights[0] *
+                 (d.deta_dtheta - (EnergyTerm::conducts ? material.thermal.c / state.theta : 0.));
   return out;
 }
 
 /// Add theta h N_a, or its derivatives, integrated over the cell.
-template <int dim, typename Part>
-void add_structural_heat(const CellPoints<dim>& points, const CellView<dim>& view, const Part& part,
-                         const bool with_tangent, CellResult& result)
+template <int dim, typename EnergyTerm>
+void add_structural_heat(const CellPoints<dim>& points, const CellView<dim>& view,
+                         const EnergyTerm& term, const bool with_tangent, CellResult& result)
 {
   constexpr unsigned int length = Gradients<dim>::length;
   const Rates& rates = view.history->rates;
@@ -64,7 +65,7 @@ void add_structural_heat(const CellPoints<dim>& points, const CellView<dim>& vie
     for (std::size_t k = 0; k < rates.n_past; ++k)
       before[k] = point_input(view, past[k], gradients).state;
     const EntropyRate rate = entropy_rate(
-        part, *view.cell.material, state,
+        term, *view.cell.material, state,
         [&](const std::size_t k) -> const PointState<>& { return before[k]; }, q, rates);
     N[q] = gradients.N;
     if (!with_tangent) {

@@ -2,8 +2,9 @@
 
 #include <thelma/materials/material.h>
 
-/// The parts of the energy that a formulation integrates, each by the rule of its choice: what one
-/// adds to the derivatives at point q, or at as many points from q on as the number type has lanes.
+/// The terms of the energy, each of which a formulation integrates by the rule of its choice: what
+/// one adds to the derivatives at point q, or at as many points from q on as the number type has
+/// lanes.
 namespace thelma
 {
 

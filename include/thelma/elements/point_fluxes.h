@@ -25,11 +25,11 @@ struct TemperatureOnly {
   static constexpr int temperature = 0, n = 1;
 };
 
-/// The point physics of some points, one in each lane, seen by their cell: its n_c components (u_1
-/// .. u_dim, phi, theta) have fluxes S = [P; D; -Q], so that a cell's residual is R_ac = sum_J S_cJ
-/// dN_a/dX_J whatever the fields.
+/// The fluxes at some points, one in each lane, and their moduli, as the cell sees them: its n_c
+/// components (u_1 .. u_dim, phi, theta) have fluxes S = [P; D; -Q], so that a cell's residual is
+/// R_ac = sum_J S_cJ dN_a/dX_J whatever the fields.
 template <typename Fields>
-struct PointSystem {
+struct PointFluxes {
   static constexpr int dim = Fields::dim, n_c = Fields::n;
 
   Lanes S[n_c][dim];
@@ -38,7 +38,7 @@ struct PointSystem {
   /// dS_cJ/dtheta.
   Lanes m[n_c][dim];
 
-  void clear() { *this = PointSystem(); }
+  void clear() { *this = PointFluxes(); }
 };
 
 /// What a cell's nodal values give at a point.
@@ -50,20 +50,20 @@ struct PointInput {
 
 /// The fluxes of the laws times the integration weights @p w.
 template <typename Fields>
-void set_fluxes(const FirstDerivatives<Lanes>& d, const Lanes& w, PointSystem<Fields>& system)
+void set_fluxes(const FirstDerivatives<Lanes>& d, const Lanes& w, PointFluxes<Fields>& fluxes)
 {
   constexpr int dim = Fields::dim;
   for (int J = 0; J < dim; ++J) {
     for (int i = 0; i < dim; ++i)
-      system.S[i][J] = w * d.P[axis<dim>(i)][axis<dim>(J)];
+      fluxes.S[i][J] = w * d.P[axis<dim>(i)][axis<dim>(J)];
     if constexpr (Fields::has_potential)
-      system.S[Fields::potential][J] = w * d.D[axis<dim>(J)];
+      fluxes.S[Fields::potential][J] = w * d.D[axis<dim>(J)];
   }
 }
 
 /// Their derivatives times @p w.
 template <typename Fields>
-void set_moduli(const SecondDerivatives<Lanes>& d, const Lanes& w, PointSystem<Fields>& system)
+void set_moduli(const SecondDerivatives<Lanes>& d, const Lanes& w, PointFluxes<Fields>& fluxes)
 {
   constexpr int dim = Fields::dim, phi = Fields::potential;
   for (int J = 0; J < dim; ++J)
@@ -72,38 +72,38 @@ void set_moduli(const SecondDerivatives<Lanes>& d, const Lanes& w, PointSystem<F
       for (int i = 0; i < dim; ++i) {
         const int xi = axis<dim>(i);
         for (int k = 0; k < dim; ++k)
-          system.M[i][J][L][k] = w * d.dP_dF[xi][xJ][axis<dim>(k)][xL];
+          fluxes.M[i][J][L][k] = w * d.dP_dF[xi][xJ][axis<dim>(k)][xL];
         if constexpr (Fields::has_potential) { // E = -grad phi and dD/dF = -(dP/dE)^T
-          system.M[i][J][L][phi] = -w * d.dP_dE[xi][xJ][xL];
-          system.M[phi][J][L][i] = -w * d.dP_dE[xi][xL][xJ];
+          fluxes.M[i][J][L][phi] = -w * d.dP_dE[xi][xJ][xL];
+          fluxes.M[phi][J][L][i] = -w * d.dP_dE[xi][xL][xJ];
         }
       }
       if constexpr (Fields::has_potential)
-        system.M[phi][J][L][phi] = -w * d.dD_dE[xJ][xL];
+        fluxes.M[phi][J][L][phi] = -w * d.dD_dE[xJ][xL];
     }
   if constexpr (Fields::has_temperature)
     for (int J = 0; J < dim; ++J) {
       for (int i = 0; i < dim; ++i)
-        system.m[i][J] = w * d.dP_dtheta[axis<dim>(i)][axis<dim>(J)];
+        fluxes.m[i][J] = w * d.dP_dtheta[axis<dim>(i)][axis<dim>(J)];
       if constexpr (Fields::has_potential)
-        system.m[phi][J] = w * d.dD_dtheta[axis<dim>(J)];
+        fluxes.m[phi][J] = w * d.dD_dtheta[axis<dim>(J)];
     }
 }
 
 /// The heat flux and its derivatives times @p w.
 template <typename Fields>
-void set_heat_flux(const HeatFlux<Lanes>& heat, const Lanes& w, PointSystem<Fields>& system)
+void set_heat_flux(const HeatFlux<Lanes>& heat, const Lanes& w, PointFluxes<Fields>& fluxes)
 {
   constexpr int dim = Fields::dim, theta = Fields::temperature;
   for (int J = 0; J < dim; ++J) {
     const int xJ = axis<dim>(J);
-    system.S[theta][J] = -w * heat.Q[xJ];
+    fluxes.S[theta][J] = -w * heat.Q[xJ];
     for (int L = 0; L < dim; ++L) {
       const int xL = axis<dim>(L);
-      system.M[theta][J][L][theta] = -w * heat.dQ_dgrad[xJ][xL];
+      fluxes.M[theta][J][L][theta] = -w * heat.dQ_dgrad[xJ][xL];
       if constexpr (Fields::has_deformation)
         for (int k = 0; k < dim; ++k)
-          system.M[theta][J][L][k] = -w * heat.dQ_dF[xJ][axis<dim>(k)][xL];
+          fluxes.M[theta][J][L][k] = -w * heat.dQ_dF[xJ][axis<dim>(k)][xL];
     }
   }
 }
