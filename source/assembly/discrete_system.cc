@@ -14,7 +14,7 @@ namespace
 /// Of a displacement by as much as changes the last digit of F; as unlike from node to node as
 /// rounding is.
 template <int dim>
-BlockVector last_digits(const FieldLayout<dim>& layout, const BlockVector& x)
+BlockVector last_digits(const DofLayout<dim>& layout, const BlockVector& x)
 {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const auto owned = layout.dof_handler().locally_owned_dofs();
@@ -32,7 +32,7 @@ BlockVector last_digits(const FieldLayout<dim>& layout, const BlockVector& x)
 } // namespace
 
 template <int dim>
-DiscreteSystem<dim>::DiscreteSystem(const FieldLayout<dim>& layout,
+DiscreteSystem<dim>::DiscreteSystem(const DofLayout<dim>& layout,
                                     const BoundaryConditions<dim>& conditions,
                                     const Loads<dim>& loads, const HeatStorage<dim>& storage,
                                     State& state, const SystemSettings& settings, Timings& timings)

@@ -12,7 +12,7 @@ namespace
 
 /// Longest over shortest edge of a cell, on average.
 template <int dim>
-double flatness(const FieldLayout<dim>& layout)
+double flatness(const DofLayout<dim>& layout)
 {
   double sum = 0.;
   for (const Cell<dim>& cell : layout.cells()) {
@@ -32,7 +32,7 @@ double flatness(const FieldLayout<dim>& layout)
 } // namespace
 
 template <int dim>
-LinearSystem<dim>::LinearSystem(const FieldLayout<dim>& layout,
+LinearSystem<dim>::LinearSystem(const DofLayout<dim>& layout,
                                 const BoundaryConditions<dim>& conditions, const Loads<dim>& loads,
                                 const HeatStorage<dim>& storage, const State& state,
                                 CellLoop<dim>& cells, CondensedUnknowns<dim>& condensed,
@@ -77,14 +77,14 @@ template <int dim>
 void LinearSystem<dim>::keep_pressures()
 {
   pressures.reset();
-  corner_grids.reset();
+  coarse_spaces.reset();
   cells.keep_pressures(solver->keeps_pressures());
   if (!solver->keeps_pressures())
     return;
   pressures = std::make_unique<PressureBlocks<dim>>(
       layout, conditions, cells.formulation(),
       [this](const std::size_t cell) { return condensed.elimination(cell); });
-  corner_grids = std::make_unique<CornerGrids<dim>>(layout, conditions, state);
+  coarse_spaces = std::make_unique<P1CoarseSpaces<dim>>(layout, conditions, state);
   release_memory();
 }
 
@@ -143,7 +143,7 @@ LinearReport LinearSystem<dim>::prepare()
   const unsigned int n_symmetric =
       is_symmetric() ? layout.fields().size() : layout.block(Field::temperature);
   return solver->prepare(
-      {tangent.matrix(), pressures.get(), corner_grids.get(), is_solved, n_symmetric});
+      {tangent.matrix(), pressures.get(), coarse_spaces.get(), is_solved, n_symmetric});
 }
 
 template <int dim>

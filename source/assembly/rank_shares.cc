@@ -8,7 +8,7 @@ namespace thelma
 {
 
 template <int dim>
-std::map<std::string, double> imbalance(const FieldLayout<dim>& layout,
+std::map<std::string, double> imbalance(const DofLayout<dim>& layout,
                                         const dealii::TrilinosWrappers::BlockSparseMatrix& tangent)
 {
   double nonzeros = 0.;
@@ -23,7 +23,7 @@ std::map<std::string, double> imbalance(const FieldLayout<dim>& layout,
 }
 
 template <int dim>
-double ghost_share(const FieldLayout<dim>& layout)
+double ghost_share(const DofLayout<dim>& layout)
 {
   double own = 0., needed = 0.;
   for (unsigned int b = 0; b < layout.owned().size(); ++b) {
@@ -39,8 +39,8 @@ double ghost_share(const FieldLayout<dim>& layout)
 
 #define INSTANTIATE(dim)                                                                           \
   template std::map<std::string, double> imbalance(                                                \
-      const FieldLayout<dim>&, const dealii::TrilinosWrappers::BlockSparseMatrix&);                \
-  template double ghost_share(const FieldLayout<dim>&);
+      const DofLayout<dim>&, const dealii::TrilinosWrappers::BlockSparseMatrix&);                  \
+  template double ghost_share(const DofLayout<dim>&);
 INSTANTIATE(2)
 INSTANTIATE(3)
 #undef INSTANTIATE

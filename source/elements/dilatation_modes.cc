@@ -23,7 +23,8 @@ std::vector<Modes> DilatationModes<dim>::polynomials(const unsigned int n_points
                                                      const unsigned int n)
 {
   std::vector<Modes> values;
-  for (const auto& point : dealii::QGauss<dim>(n_points).get_points())
+  const dealii::QGauss<dim> rule(n_points);
+  for (const auto& point : rule.get_points())
     values.push_back(polynomials_at(point, n));
   return values;
 }

@@ -24,7 +24,7 @@ void transform(const CellView<dim>& view, const dealii::Tensor<2, dim>& A, doubl
 } // namespace
 
 template <int dim>
-EnhancedModes<dim>::EnhancedModes(const FieldLayout<dim>& layout) : centre(layout, 1)
+EnhancedModes<dim>::EnhancedModes(const DofLayout<dim>& layout) : centre(layout, 1)
 {
   const Integration<dim> rule(layout, 2);
   for (std::size_t cell = 0; cell < layout.cells().size(); ++cell)

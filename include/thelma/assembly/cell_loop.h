@@ -17,7 +17,7 @@ template <int dim>
 class CellLoop
 {
 public:
-  CellLoop(const FieldLayout<dim>& layout, State& state) : layout(layout), state(state) {}
+  CellLoop(const DofLayout<dim>& layout, State& state) : layout(layout), state(state) {}
 
   /// Choose the @p formulation for the @p fields to be solved; the fields must stand.
   void choose(const std::string& formulation, Solved fields);
@@ -51,7 +51,7 @@ public:
 private:
   void keep_memory();
 
-  const FieldLayout<dim>& layout;
+  const DofLayout<dim>& layout;
   State& state;
   Solved fields = Solved::all;
   std::unique_ptr<Formulation<dim>> element;

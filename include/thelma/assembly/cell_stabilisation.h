@@ -14,7 +14,7 @@ template <int dim>
 class CellStabilisation
 {
 public:
-  CellStabilisation(CellLoop<dim>& cells, const FieldLayout<dim>& layout)
+  CellStabilisation(CellLoop<dim>& cells, const DofLayout<dim>& layout)
       : cells(cells), layout(layout)
   {
   }
@@ -29,7 +29,7 @@ private:
   std::vector<double> needed() const;
 
   CellLoop<dim>& cells;
-  const FieldLayout<dim>& layout;
+  const DofLayout<dim>& layout;
   std::vector<double> lacking; ///< when it last followed
   double relaxation = 1.;      ///< part of that which was added
 };

@@ -13,7 +13,7 @@ template <int dim>
 class CondensedUnknowns
 {
 public:
-  CondensedUnknowns(const CellLoop<dim>& cells, const FieldLayout<dim>& layout, State& state)
+  CondensedUnknowns(const CellLoop<dim>& cells, const DofLayout<dim>& layout, State& state)
       : cells(cells), layout(layout), state(state)
   {
   }
@@ -48,7 +48,7 @@ private:
   void recover(BlockVector& dx, std::vector<double>& values) const;
 
   const CellLoop<dim>& cells;
-  const FieldLayout<dim>& layout;
+  const DofLayout<dim>& layout;
   State& state;
   std::vector<double> residuals, eliminations; ///< of all own cells
   std::vector<double> base, correction, response;

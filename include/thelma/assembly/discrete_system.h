@@ -18,7 +18,7 @@ template <int dim>
 class DiscreteSystem final : public LoadedSystem
 {
 public:
-  DiscreteSystem(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
+  DiscreteSystem(const DofLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
                  const Loads<dim>& loads, const HeatStorage<dim>& storage, State& state,
                  const SystemSettings& settings, Timings& timings);
 
@@ -67,7 +67,7 @@ public:
   Stability<dim> stability;
 
 private:
-  const FieldLayout<dim>& layout;
+  const DofLayout<dim>& layout;
   const BoundaryConditions<dim>& conditions;
   const Loads<dim>& loads;
   const HeatStorage<dim>& storage;

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <thelma/assembly/condensed_unknowns.h>
-#include <thelma/assembly/corner_grids.h>
 #include <thelma/assembly/floating_electrodes.h>
 #include <thelma/assembly/heat_storage.h>
+#include <thelma/assembly/p1_coarse_spaces.h>
 #include <thelma/assembly/pressure_blocks.h>
 #include <thelma/assembly/system_settings.h>
 #include <thelma/assembly/tangent_matrix.h>
@@ -23,7 +23,7 @@ template <int dim>
 class LinearSystem
 {
 public:
-  LinearSystem(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
+  LinearSystem(const DofLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
                const Loads<dim>& loads, const HeatStorage<dim>& storage, const State& state,
                CellLoop<dim>& cells, CondensedUnknowns<dim>& condensed,
                const SystemSettings& settings, Timings& timings);
@@ -75,7 +75,7 @@ private:
   void keep_pressures();
   LinearReport prepare();
 
-  const FieldLayout<dim>& layout;
+  const DofLayout<dim>& layout;
   const BoundaryConditions<dim>& conditions;
   const Loads<dim>& loads;
   const HeatStorage<dim>& storage;
@@ -89,7 +89,7 @@ private:
   FloatingElectrodes<dim> electrodes;
   LinearChoice choice;
   std::unique_ptr<PressureBlocks<dim>> pressures; ///< of a solver that keeps them
-  std::unique_ptr<CornerGrids<dim>> corner_grids;
+  std::unique_ptr<P1CoarseSpaces<dim>> coarse_spaces;
   std::unique_ptr<LinearSolver> solver; ///< refers to both
   double last_cost = 1.;
   int n_unstable_inside = 0;

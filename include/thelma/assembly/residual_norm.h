@@ -17,7 +17,7 @@ template <int dim>
 class ResidualNorm
 {
 public:
-  ResidualNorm(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
+  ResidualNorm(const DofLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
                const HeatStorage<dim>& storage)
       : layout(layout), conditions(conditions), storage(storage)
   {
@@ -36,7 +36,7 @@ public:
 private:
   double unit(unsigned int block, const State& state) const;
 
-  const FieldLayout<dim>& layout;
+  const DofLayout<dim>& layout;
   const BoundaryConditions<dim>& conditions;
   const HeatStorage<dim>& storage;
   std::vector<double> units;        ///< per block

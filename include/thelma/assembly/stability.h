@@ -11,7 +11,7 @@ template <int dim>
 class Stability
 {
 public:
-  Stability(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
+  Stability(const DofLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
             CellLoop<dim>& cells, LinearSystem<dim>& linear)
       : layout(layout), conditions(conditions), cells(cells), linear(linear)
   {
@@ -49,7 +49,7 @@ public:
 private:
   double orientation(BlockVector& mode) const;
 
-  const FieldLayout<dim>& layout;
+  const DofLayout<dim>& layout;
   const BoundaryConditions<dim>& conditions;
   CellLoop<dim>& cells;
   LinearSystem<dim>& linear;

@@ -16,7 +16,7 @@ class EnhancedModes
 public:
   static constexpr unsigned int n_nodes = 1u << dim, n_points = n_nodes; ///< of a linear element
 
-  explicit EnhancedModes(const FieldLayout<dim>& layout);
+  explicit EnhancedModes(const DofLayout<dim>& layout);
 
   /// Put the gradients at point @p q after those of the nodes.
   void set_gradients(const std::size_t cell, const unsigned int q, Gradients<dim>& gradients) const

@@ -114,7 +114,8 @@ struct PressureBlock {
   const ModeMatrix* mass_inverse;
 };
 
-/// Residual and tangent of one cell. A new formulation is one file and one line in list.cc.
+/// Residual and tangent of one cell. A new formulation is one file and one line in
+/// formulation_list.cc.
 template <int dim>
 class Formulation
 {
@@ -122,7 +123,7 @@ public:
   virtual ~Formulation() = default;
 
   /// Precompute quadrature data for the cells of @p layout.
-  virtual void setup(const FieldLayout<dim>& layout) = 0;
+  virtual void setup(const DofLayout<dim>& layout) = 0;
   virtual void residual(const CellView<dim>& view, CellResult& result) const = 0;
   virtual void tangent(const CellView<dim>& view, CellResult& result) const = 0;
 

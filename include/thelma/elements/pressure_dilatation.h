@@ -44,7 +44,7 @@ protected:
   /// Take the volumetric terms by Gauss's rule of @p n_points per direction and let p and t be
   /// combinations of @p n_modes modes, given by their @p values at its points. A cell has
   /// @p n_enhanced modes after its nodes, see enhance().
-  void use(const FieldLayout<dim>& layout, unsigned int n_points, const std::vector<Modes>& values,
+  void use(const DofLayout<dim>& layout, unsigned int n_points, const std::vector<Modes>& values,
            unsigned int n_modes, unsigned int n_enhanced = 0);
 
   /// The modes at any point of the reference cell: polynomials, unless overridden.

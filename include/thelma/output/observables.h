@@ -15,7 +15,7 @@ template <int dim>
 struct Scene {
   const MaterialLibrary& materials;
   const Mesh<dim>& mesh;
-  const FieldLayout<dim>& layout;
+  const DofLayout<dim>& layout;
   const BoundaryConditions<dim>& conditions;
   const Loads<dim>& loads;
   const HeatStorage<dim>& storage;

@@ -20,7 +20,7 @@ class TimeSteps final : public Strategy
 {
 public:
   TimeSteps(DiscreteSystem<dim>& deformation, DiscreteSystem<dim>& heated,
-            const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
+            const DofLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
             Loads<dim>& loads, State& state, Predictor<dim>& predictor,
             const Equilibrium& equilibrium)
       : deformation(deformation), heated(heated), layout(layout), conditions(conditions),
@@ -79,7 +79,7 @@ private:
   std::string coupling_advice() const;
 
   DiscreteSystem<dim>&deformation, &heated;
-  const FieldLayout<dim>& layout;
+  const DofLayout<dim>& layout;
   const BoundaryConditions<dim>& conditions;
   Loads<dim>& loads;
   State& state;

@@ -1,11 +1,12 @@
 #include <thelma/base/error.h>
 #include <thelma/base/quantity.h>
-#include <thelma/loads/warming.h>
+#include <thelma/loads/heat_load.h>
 
 namespace thelma
 {
 
-void check_warming(const double start, const double wall, const double time, const double level)
+void check_wall_temperature(const double start, const double wall, const double time,
+                            const double level)
 {
   const double there = start + level * (wall - start);
   if (there < 1. || there > 1e4)
