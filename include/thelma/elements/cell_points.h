@@ -65,7 +65,7 @@ struct CellPoints {
   /// @p enhance(q, gradients) sets the gradients of modes that are no shape functions.
   template <typename Enhance>
   CellPoints(const Integration<dim>& rule, const CellView<dim>& view, const Enhance& enhance)
-      : n_points(rule.basis().n_points), geometry(rule.of_cell(view.index)), memory(view.memory)
+      : n_points(rule.basis().n_points), geometry(rule.of_cell(view.index))
   {
     const NodalValues<dim> x(view.x, rule.basis().n_nodes, view.cell.n_components);
     for (unsigned int q = 0; q < n_points; ++q) {
@@ -75,8 +75,8 @@ struct CellPoints {
     }
     for (unsigned int q = n_points; q % Lanes::n != 0; ++q) // lanes that belong to no point
       set_lane(input[q / Lanes::n], q % Lanes::n, point_input(view, x, gradients[n_points - 1]));
-    if (memory.old)
-      set_histories(view.cell.material->n_history());
+    if (view.memory.rate > 0. && view.cell.material->n_history() > 0)
+      set_histories(*view.cell.material, view.memory);
     for (unsigned int k = 0; k < n_batches(); ++k)
       kinematics[k] = Kinematics<Lanes>(input[k].state.F);
     for (unsigned int q = 0; q < n_points; ++q)
@@ -100,7 +100,8 @@ struct CellPoints {
       point.grad_theta[i] = all.grad_theta[i][lane];
     }
     point.state.theta = all.state.theta[lane];
-    point.state.history = memory.at(q);
+    if (!histories.empty())
+      point.state.history = histories[q];
     return point;
   }
   PointState<> state(const unsigned int q) const { return at(q).state; }
@@ -119,25 +120,31 @@ struct CellPoints {
   std::array<PointInput<Lanes>, max_batches> input; ///< one point in each lane
   std::array<Kinematics<Lanes>, max_batches> kinematics;
   double min_det_F = std::numeric_limits<double>::max();
-  CellMemory memory;
 
 private:
-  /// The @p n internal variables of each point in its lane.
-  void set_histories(const unsigned int n)
+  /// What each point remembers, alone and in its lane.
+  void set_histories(const Material& material, const CellMemory& memory)
   {
-    old.resize(std::size_t(n_batches()) * n);
+    const unsigned int n = material.n_history();
+    starts.resize(std::size_t(n_points) * n);
+    for (unsigned int q = 0; q < n_points; ++q)
+      histories.push_back(memory.at(q, material, starts.data() + std::size_t(q) * n));
+    if (memory.old)
+      old.resize(std::size_t(n_batches()) * n);
     for (unsigned int k = 0; k < n_batches(); ++k) {
-      Lanes* values = old.data() + std::size_t(k) * n;
-      for (unsigned int lane = 0; lane < Lanes::n; ++lane) {
-        const double* own = memory.at(std::min(k * Lanes::n + lane, n_points - 1)).old;
+      Lanes* values = memory.old ? old.data() + std::size_t(k) * n : nullptr;
+      for (unsigned int lane = 0; memory.old && lane < Lanes::n; ++lane) {
+        const double* own = histories[std::min(k * Lanes::n + lane, n_points - 1)].old;
         for (unsigned int i = 0; i < n; ++i)
           values[i].set(lane, own[i]);
       }
-      input[k].state.history = {values, memory.dt};
+      input[k].state.history = {values, memory.rate};
     }
   }
 
-  std::vector<Lanes> old; ///< of each batch of points; empty where nothing remembers
+  std::vector<PointHistory<>> histories; ///< empty where nothing remembers
+  std::vector<double> starts;
+  std::vector<Lanes> old; ///< of each batch of points
 };
 
 /// What the law of a cell remembers after a step to @p view.

@@ -22,15 +22,23 @@ struct CellHistory {
   std::array<const double*, 2> x, internal;
 };
 
-/// What the laws of a cell remember at its points, one after the other.
+/// The internal variables at the points of a cell, one point after the other, in the last accepted
+/// states, and how their rate follows: PointHistory.
 struct CellMemory {
-  const double* old = nullptr; ///< none where no law of the scene remembers
-  unsigned int n = 0;          ///< numbers for each point
-  double dt = 0.;              ///< time since, s
+  const double* old = nullptr;   ///< none: at rest
+  const double* older = nullptr; ///< none: differences of first order
+  unsigned int n = 0;            ///< numbers for each point
+  double rate = 0.;              ///< 1/s
+  double q = 0.;                 ///< weight of old - older
 
-  PointHistory<> at(const unsigned int q) const
+  /// Of point @p q; @p start has room for its numbers.
+  PointHistory<> at(const unsigned int point, const Material& material, double* start) const
   {
-    return {old ? old + std::size_t(q) * n : nullptr, dt};
+    const std::size_t first = std::size_t(point) * n;
+    if (!older)
+      return {old ? old + first : nullptr, rate};
+    material.begin_step(old + first, older + first, q, start);
+    return {start, rate};
   }
 };
 

@@ -1,28 +1,19 @@
 #pragma once
 
+#include <thelma/materials/branches.h>
 #include <thelma/materials/material.h>
 
-#include <type_traits>
+#include <utility>
 
 namespace thelma
 {
 
-/// How many internal variables an elastic law has at a point: its constant `n_history`, or none.
-template <class Law, typename = void>
-struct HistoryOf {
-  static constexpr unsigned int n = 0;
-};
-
-template <class Law>
-struct HistoryOf<Law, std::void_t<decltype(Law::n_history)>> {
-  static constexpr unsigned int n = Law::n_history;
-};
-
 /// The free energy of theory.md, eq. 4, from an elastic and a dielectric law:
 ///   psi = (theta/theta_0) [W(F_EM, theta) + U(J_EM)] + psi_dielectric(F, E, theta) + psi_t(theta).
-/// If the elastic law has internal variables, W is its incremental potential (theory.md, eq. 37):
-/// while time passes it counts what flow dissipates as well as what is stored. Number-generic, so
-/// that Sacado can differentiate each function and the tests compare.
+/// Branches with memory add their incremental potential to W (theory.md, eq. 37), of which P and its
+/// derivatives follow; energies and entropy count what they store, and their derivatives here leave
+/// the flow out. Number-generic, so that Sacado can differentiate each function and the tests
+/// compare.
 template <class Elastic, class Dielectric>
 class ComposedMaterial final : public Material
 {
@@ -32,7 +23,10 @@ public:
     elastic.declare(prm);
     dielectric.declare(prm);
     thermal.declare(prm);
+    branches.declare(prm);
   }
+
+  void set_branches(Branches chosen) override { branches = std::move(chosen); }
 
   /// psi without the volumetric energy.
   template <typename Number>
@@ -42,7 +36,9 @@ public:
     const Number s = thermal.split(state.theta);
     const Tensor3<2, Number> F_EM = s * state.F;
     const Number J_EM = kin.J * s * s * s;
-    return state.theta / thermal.theta_0 * W(F_EM, J_EM, state) + dielectric.psi(state, kin) +
+    const Number W = elastic.W(F_EM, J_EM, state.theta) +
+                     branches.W(F_EM, J_EM, state.theta, state.history);
+    return state.theta / thermal.theta_0 * W + dielectric.psi(state, kin) +
            thermal.psi(state.theta);
   }
 
@@ -76,10 +72,8 @@ public:
     const Split<Number> em(*this, state, kin);
     const Number f = state.theta / thermal.theta_0;
     const double alpha = thermal.alpha;
-    if constexpr (remembers)
-      out.dP_dF = elastic.second(em.F, em.kin, state.theta, state.history);
-    else
-      out.dP_dF = elastic.second(em.F, em.kin, state.theta);
+    out.dP_dF = elastic.second(em.F, em.kin, state.theta);
+    branches.add_second(em.F, em.kin, state.theta, state.history, out.dP_dF);
     const Tensor3<2, Number> W_FF_F = apply(out.dP_dF, em.F);
     out.dP_dF *= f * em.s * em.s;
     out.dP_dtheta = em.s * ((1. / thermal.theta_0 - alpha * f) * em.d.W_F +
@@ -127,30 +121,26 @@ public:
     thelma::add_entropy_rate(second_derivatives(along(state, rates)), rates, out);
   }
 
-  unsigned int n_history() const override { return HistoryOf<Elastic>::n; }
+  unsigned int n_history() const override { return branches.n_history(); }
+
+  void begin_step(const double* old, const double* older, const double q,
+                  double* start) const override
+  {
+    branches.begin_step(old, older, q, start);
+  }
 
   void update_history(const PointState<>& state, double* now) const override
   {
-    if constexpr (remembers)
-      elastic.update_history(thermal.split(state.theta) * state.F, state.history, now);
+    branches.update_history(thermal.split(state.theta) * state.F, state.theta, state.history, now);
   }
+
+  double branch_modulus(const double theta) const override { return branches.modulus(theta); }
+  std::string branch_defect(const double theta) const override { return branches.defect(theta); }
 
   double shear_modulus(const double theta) const override { return elastic.shear_modulus(theta); }
   double permittivity(const double theta) const override { return dielectric.permittivity(theta); }
 
 private:
-  static constexpr bool remembers = HistoryOf<Elastic>::n > 0;
-
-  template <typename Number>
-  Number W(const Tensor3<2, Number>& F_EM, const Number& J_EM,
-           const PointState<Number>& state) const
-  {
-    if constexpr (remembers)
-      return elastic.W(F_EM, J_EM, state.theta, state.history);
-    else
-      return elastic.W(F_EM, J_EM, state.theta);
-  }
-
   /// The electro-mechanical part of the deformation and the elastic law at it.
   template <typename Number>
   struct Split {
@@ -160,10 +150,8 @@ private:
     {
       kin.J = total.J * s * s * s;
       kin.G = total.G / s;
-      if constexpr (remembers)
-        d = m.elastic.first(F, kin, state.theta, state.history);
-      else
-        d = m.elastic.first(F, kin, state.theta);
+      d = m.elastic.first(F, kin, state.theta);
+      m.branches.add_first(F, kin, state.theta, state.history, d);
     }
 
     Number s;
@@ -174,6 +162,7 @@ private:
 
   Elastic elastic;
   Dielectric dielectric;
+  Branches branches;
 };
 
 } // namespace thelma

@@ -6,8 +6,12 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <string>
+
 namespace thelma
 {
+
+class Branches;
 
 /// Energies per reference volume in mJ/mm^3 = MPa. Inner energy is the sum of elastic, electric and
 /// thermal and c (theta - theta_0); entropy that of the part here and c ln(theta/theta_0).
@@ -55,9 +59,20 @@ public:
   virtual void add_entropy_rate(const PointState<>& state, const PointRates& rates,
                                 EntropyRate& out) const = 0;
 
-  /// How many internal variables a point has; what they have become at the end of a step to
+  /// Let it have these branches, before it is declared.
+  virtual void set_branches(Branches branches) = 0;
+
+  /// What they add to the shear modulus at once, in MPa; the entry of one that does not allow
+  /// @p theta, or nothing.
+  virtual double branch_modulus(double theta) const = 0;
+  virtual std::string branch_defect(double theta) const = 0;
+
+  /// How many internal variables a point has; PointHistory::old of differences of second order with
+  /// the weight @p q of old - older, into @p start; what they have become at the end of a step to
   /// @p state, into @p now.
   virtual unsigned int n_history() const = 0;
+  virtual void begin_step(const double* old, const double* older, double q,
+                          double* start) const = 0;
   virtual void update_history(const PointState<>& state, double* now) const = 0;
 
   /// Shear modulus (MPa) and permittivity (N/kV^2) of the undeformed material.

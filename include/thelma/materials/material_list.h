@@ -3,7 +3,6 @@
 #include <thelma/materials/composed_material.h>
 #include <thelma/materials/gent.h>
 #include <thelma/materials/ideal_dielectric.h>
-#include <thelma/materials/maxwell_branch.h>
 #include <thelma/materials/mooney_rivlin.h>
 #include <thelma/materials/neo_hookean.h>
 
@@ -14,7 +13,7 @@ namespace thelma
 
 /// The laws a .prm can choose: one page and one name here each. The derivative test runs over
 /// every combination by itself.
-using ElasticLaws = std::tuple<NeoHookean, Gent, MooneyRivlin, NeoHookeanWithBranch>;
+using ElasticLaws = std::tuple<NeoHookean, Gent, MooneyRivlin>;
 using DielectricLaws = std::tuple<IdealDielectric>;
 
 /// Call @p visit(static_cast<ComposedMaterial<E, D>*>(nullptr), name of E, name of D) for each E,

@@ -1,49 +1,105 @@
 #pragma once
 
-#include <thelma/materials/neo_hookean.h>
+#include <thelma/materials/point.h>
+#include <thelma/materials/relaxation_time.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace thelma
 {
 
-/// A spring of shear modulus G in series with a dashpot of relaxation time tau, at finite strain
-/// (theory.md, eqs. 35 to 39). Its internal variable is C_v, symmetric with det C_v = 1, which
-/// flows towards C = J^{-2/3} F^T F. A step of length dt ends where an incremental potential W is
-/// least among all C_v of determinant 1: with b = 1 - a = dt/(tau + dt) and the old C_v,
-///   N = a C_v + b C,   c = (det N)^{1/3},   C_v -> N/c,   W = 3 G/2 (c - 1)/b.
-/// No step (b = 0) is elastic, W = G/2 (C : C_v^{-1} - 3); after infinite time (b = 1) W = 0.
+/// What all branches of a point share: C_iso = j F^T F with j = J^{-2/3}.
+template <typename Number>
+struct IsochoricStrain {
+  IsochoricStrain(const Tensor3<2, Number>& F, const Number& J)
+  {
+    using std::exp;
+    using std::log;
+    j = exp(-2. / 3. * log(J));
+    C = j * (dealii::transpose(F) * F);
+  }
+
+  Number j;
+  Tensor3<2, Number> C;
+};
+
+/// A spring of shear modulus G(theta) in series with a dashpot of relaxation time tau(theta), at
+/// finite strain (theory.md, eqs. 35 to 39). Its internal variable is C_v, symmetric with det C_v =
+/// 1, which flows towards C_iso. With the rate r (C_v - K) of C_v by backward differences, a step
+/// ends where an incremental potential W is least among all C_v of determinant 1: with
+/// b = 1 - a = 1/(1 + r tau),
+///   N = a K + b C_iso,   c = (det N)^{1/3},   C_v = N/c,   W = 3 G/2 c/b + const.
+/// Without time (r = infinity, b = 0) it is elastic, W = G/2 (C_iso : C_v^{-1} - 3); after infinite
+/// time (r = 0, b = 1) W is constant.
 class MaxwellBranch
 {
 public:
+  static constexpr const char* name = "Maxwell";
+  static constexpr const char* meaning =
+      "neo-Hookean spring and viscous element in series, entries `Modulus`, `Relaxation time`";
   static constexpr unsigned int n_history = 6; ///< components of C_v, see index()
 
   void declare(dealii::ParameterHandler& prm)
   {
-    add_quantity(prm, "Branch modulus", G,
-                 "G, by which a sudden deformation is stiffer than a slow one. Default: a branch "
-                 "of VHB 4910, Wang, Decker, Henann and Chester (2016).",
-                 Quantity("MPa", 0.));
-    add_quantity(prm, "Relaxation time", tau,
-                 "tau, in which the stress of the branch falls to 1/e at fixed deformation. "
-                 "Outside a transient scene it has always relaxed.",
-                 Quantity("s", 1e-12));
+    G.declare(prm, "Modulus", "G(theta), by which a sudden deformation is stiffer than a slow one.",
+              Quantity("MPa"));
+    tau.declare(prm);
   }
 
+  /// What does not allow @p theta; empty if all is well.
+  std::string defect(const double theta) const
+  {
+    if (!(G.value(theta) >= 0.))
+      return "Modulus";
+    return tau.is_defined(theta) && tau.value(theta) > 0. ? "" : "Relaxation time";
+  }
+
+  double modulus(const double theta) const { return G.value(theta); }
+
+  /// K = old + q (old - older), the old C_v of differences of first order where this is not
+  /// positive definite, as after a jump.
+  static void begin_step(const double* old, const double* older, const double q, double* K)
+  {
+    for (unsigned int i = 0; i < n_history; ++i)
+      K[i] = old[i] + q * (old[i] - older[i]);
+    const double minor = K[0] * K[1] - K[3] * K[3];
+    const double det = K[2] * minor - K[0] * K[5] * K[5] - K[1] * K[4] * K[4] +
+                       2. * K[3] * K[4] * K[5];
+    if (!(K[0] > 0. && minor > 0. && det > 0.))
+      std::copy(old, old + n_history, K);
+  }
+
+  /// The incremental potential, but for a constant.
   template <typename Number>
-  Number W(const Tensor3<2, Number>& F, const Number& J,
+  Number W(const IsochoricStrain<Number>& strain, const Number& theta,
            const PointHistory<Given<Number>>& history) const
   {
-    return potential(Flow<Number>(*this, F, J, history));
+    const Flow<Number> flow(*this, strain, theta, history);
+    if (history.is_instant())
+      return stored(flow, strain, theta);
+    return 1.5 * G.value(theta) * flow.c / flow.b;
   }
 
-  /// Add W and W_F = G (T - m g), m = tr(B)/3, g = F^{-T} (theory.md, eq. 39).
+  /// Add what is stored, w = G/2 (C_iso : C_v^{-1} - 3), and the derivatives of W,
+  /// W_F = G (T - m g) with m = tr(B)/3, g = F^{-T} (theory.md, eq. 39).
   template <typename Number>
   void add_first(const Tensor3<2, Number>& F, const Kinematics<Number>& kin,
+                 const IsochoricStrain<Number>& strain, const Number& theta,
                  const PointHistory<Given<Number>>& history, ElasticDerivatives<Number>& d) const
   {
-    const Flow<Number> flow(*this, F, kin.J, history);
-    const Stress<Number> stress(flow, F);
-    d.W += potential(flow);
-    d.W_F += G * (stress.T - stress.m * kin.G);
+    const Flow<Number> flow(*this, strain, theta, history);
+    const Stress<Number> stress(flow, strain, F);
+    const Number modulus = G.value(theta), slope = G.slope(theta),
+                 I = (3. * stress.m - 3.) / 2.;
+    const Tensor3<2, Number> P = stress.T - stress.m * kin.G;
+    d.W += modulus * I;
+    d.W_theta += slope * I;
+    d.W_thetatheta += G.curvature(theta) * I;
+    d.W_F += modulus * P;
+    d.W_Ftheta += slope * P - modulus * flow.b * flow.a * tau.log_slope(theta) *
+                                  shift_of_stress(flow, stress, strain, F, kin);
   }
 
   /// Add W_FF, which is G times, with h = b/c and
@@ -51,30 +107,34 @@ public:
   ///   2/3 h T_iJ T_kL + Q_iJ g_kL + g_iJ Q_kL + (d_ik - h B_ik) A_JL - h T_iL T_kJ + m g_iL g_kJ.
   template <typename Number>
   void add_second(const Tensor3<2, Number>& F, const Kinematics<Number>& kin,
+                  const IsochoricStrain<Number>& strain, const Number& theta,
                   const PointHistory<Given<Number>>& history, Tensor3<4, Number>& W_FF) const
   {
-    const Flow<Number> flow(*this, F, kin.J, history);
-    const Stress<Number> stress(flow, F);
-    const Tensor3<2, Number>&T = stress.T, &B = stress.B, &A = stress.A, &g = kin.G;
-    const Number h = flow.b / flow.c, m = stress.m;
+    const Flow<Number> flow(*this, strain, theta, history);
+    const Stress<Number> stress(flow, strain, F);
+    const Tensor3<2, Number>&B = stress.B, &g = kin.G;
+    const Number h = flow.b / flow.c, m = stress.m, modulus = G.value(theta);
     const Number of_T = -2. / 3. * (1. + h * m),
-                 of_g = (h * (m * m - contract(B, B) / 3.) + m) / 3., two_thirds = 2. / 3. * h;
-    const Tensor3<2, Number> BT = B * T;
-    const Tensor3<2, Number> Q = two_thirds * BT + of_T * T + of_g * g;
+                 of_g = (h * (m * m - contract(B, B) / 3.) + m) / 3.;
+    const Tensor3<2, Number> BT = B * stress.T, T = modulus * stress.T, A = modulus * stress.A;
+    const Tensor3<2, Number> Q = 2. / 3. * modulus * h * BT + of_T * T + modulus * of_g * g;
+    const Tensor3<2, Number> hT = h * stress.T, mg = modulus * m * g;
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int J = 0; J < 3; ++J)
-        for (unsigned int k = 0; k < 3; ++k)
-          for (unsigned int L = 0; L < 3; ++L) {
-            const Number mobility = (i == k ? 1. : 0.) - h * B[i][k];
-            W_FF[i][J][k][L] +=
-                G * (two_thirds * T[i][J] * T[k][L] + Q[i][J] * g[k][L] + g[i][J] * Q[k][L] +
-                     mobility * A[J][L] - h * T[i][L] * T[k][J] + m * g[i][L] * g[k][J]);
-          }
+        for (unsigned int k = 0; k < 3; ++k) {
+          const Number mobility = (i == k ? 1. : 0.) - h * B[i][k];
+          for (unsigned int L = 0; L < 3; ++L)
+            W_FF[i][J][k][L] += 2. / 3. * hT[i][J] * T[k][L] + Q[i][J] * g[k][L] +
+                                g[i][J] * Q[k][L] + mobility * A[J][L] - hT[i][L] * T[k][J] +
+                                mg[i][L] * g[k][J];
+        }
   }
 
-  void update_history(const Tensor3<2>& F, const PointHistory<>& history, double* now) const
+  /// C_v at the end of the step.
+  void update_history(const IsochoricStrain<double>& strain, const double theta,
+                      const PointHistory<>& history, double* now) const
   {
-    const Flow<double> flow(*this, F, Kinematics<>(F).J, history);
+    const Flow<double> flow(*this, strain, theta, history);
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = i; j < 3; ++j)
         now[index(i, j)] = flow.N[i][j] / flow.c;
@@ -87,46 +147,36 @@ private:
     return i == j ? i : i + j + 2;
   }
 
-  /// A step of C_v, from the old one.
+  /// A step of C_v.
   template <typename Number>
   struct Flow {
-    Flow(const MaxwellBranch& branch, const Tensor3<2, Number>& F, const Number& J,
+    Flow(const MaxwellBranch& branch, const IsochoricStrain<Number>& strain, const Number& theta,
          const PointHistory<Given<Number>>& history)
-        : a(1. / (1. + history.dt() / branch.tau)), b(1. - a)
     {
       using std::exp;
       using std::log;
-      j = exp(-2. / 3. * log(J));
-      C = j * (dealii::transpose(F) * F);
+      if (!history.is_instant())
+        b = 1. / (1. + history.rate * branch.tau.value(theta));
+      a = 1. - b;
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int k = 0; k < 3; ++k)
-          C_v[i][k] = history.old ? Number(history.old[index(i, k)]) : Number(i == k ? 1. : 0.);
-      N = a * C_v + b * C;
+          K[i][k] = history.old ? Number(history.old[index(i, k)]) : Number(i == k ? 1. : 0.);
+      N = a * K + b * strain.C;
       const Kinematics<Number> kin(N);
       c = exp(log(kin.J) / 3.);
       N_inverse = kin.G;
     }
 
-    double a, b;
-    Number j, c; ///< J^{-2/3}, (det N)^{1/3}
-    Tensor3<2, Number> C, C_v, N, N_inverse;
+    Number b = 0., a, c; ///< c = (det N)^{1/3}
+    Tensor3<2, Number> K, N, N_inverse;
   };
-
-  /// W of theory.md, eq. 38: c^3 - 1 = b y, whose digits survive where b is small.
-  template <typename Number>
-  Number potential(const Flow<Number>& flow) const
-  {
-    const Number I_1 = contract(Kinematics<Number>(flow.C_v).G, flow.C),
-                 I_2 = contract(Kinematics<Number>(flow.C).G, flow.C_v),
-                 y = flow.a * (flow.a * (I_1 - 3.) + flow.b * (I_2 - 3.));
-    return 1.5 * G * y / (1. + flow.c + flow.c * flow.c);
-  }
 
   /// With the new C_v: A = j C_v^{-1}, T = F A, and the elastic strain B = T F^T, 1 at rest.
   template <typename Number>
   struct Stress {
-    Stress(const Flow<Number>& flow, const Tensor3<2, Number>& F)
-        : A(flow.j * flow.c * flow.N_inverse), T(F * A), B(T * dealii::transpose(F)),
+    Stress(const Flow<Number>& flow, const IsochoricStrain<Number>& strain,
+           const Tensor3<2, Number>& F)
+        : A(strain.j * flow.c * flow.N_inverse), T(F * A), B(T * dealii::transpose(F)),
           m(dealii::trace(B) / 3.)
     {
     }
@@ -135,58 +185,30 @@ private:
     Number m;
   };
 
-  double G = 0.02653, tau = 6.56; ///< MPa, s
-};
-
-/// NeoHookean with a MaxwellBranch beside it. What flow dissipates does not heat the body yet: the
-/// structural heat of a transient scene is refused (MaterialLibrary::check_flow).
-class NeoHookeanWithBranch : public NeoHookean
-{
-public:
-  static constexpr const char* name = "neo-Hookean with Maxwell branch";
-  static constexpr const char* meaning =
-      "viscoelastic: a second spring that relaxes, entries `Branch modulus`, `Relaxation time`";
-  static constexpr unsigned int n_history = MaxwellBranch::n_history;
-
-  void declare(dealii::ParameterHandler& prm)
-  {
-    NeoHookean::declare(prm);
-    branch.declare(prm);
-  }
-
   template <typename Number>
-  Number W(const Tensor3<2, Number>& F, const Number& J, const Number& theta,
-           const PointHistory<Given<Number>>& history) const
+  Number stored(const Flow<Number>& flow, const IsochoricStrain<Number>& strain,
+                const Number& theta) const
   {
-    return NeoHookean::W(F, J, theta) + branch.W(F, J, history);
+    return G.value(theta) / 2. * (flow.c * contract(flow.N_inverse, strain.C) - 3.);
   }
 
+  /// dT/db - dm/db g of another mobility at the same F: C_v' = (N' - C_v tr(N^{-1} N')/3 c)/c with
+  /// N' = C_iso - K, and A' = -A C_v' A/j.
   template <typename Number>
-  ElasticDerivatives<Number> first(const Tensor3<2, Number>& F, const Kinematics<Number>& kin,
-                                   const Number& theta,
-                                   const PointHistory<Given<Number>>& history) const
+  Tensor3<2, Number> shift_of_stress(const Flow<Number>& flow, const Stress<Number>& stress,
+                                     const IsochoricStrain<Number>& strain,
+                                     const Tensor3<2, Number>& F,
+                                     const Kinematics<Number>& kin) const
   {
-    ElasticDerivatives<Number> d = NeoHookean::first(F, kin, theta);
-    branch.add_first(F, kin, history, d);
-    return d;
+    const Tensor3<2, Number> change = strain.C - flow.K;
+    const Number mean = contract(flow.N_inverse, change) / 3.;
+    const Tensor3<2, Number> C_v = (change - mean * flow.N) / flow.c;
+    const Tensor3<2, Number> T = -1. / strain.j * (stress.T * C_v * stress.A);
+    return T - contract(T, F) / 3. * kin.G;
   }
 
-  template <typename Number>
-  Tensor3<4, Number> second(const Tensor3<2, Number>& F, const Kinematics<Number>& kin,
-                            const Number& theta, const PointHistory<Given<Number>>& history) const
-  {
-    Tensor3<4, Number> W_FF = NeoHookean::second(F, kin, theta);
-    branch.add_second(F, kin, history, W_FF);
-    return W_FF;
-  }
-
-  void update_history(const Tensor3<2>& F, const PointHistory<>& history, double* now) const
-  {
-    branch.update_history(F, history, now);
-  }
-
-private:
-  MaxwellBranch branch;
+  TemperatureLaw G{{0.02653}}; ///< MPa; VHB 4910, Wang, Decker, Henann and Chester (2016)
+  RelaxationTime tau;
 };
 
 } // namespace thelma

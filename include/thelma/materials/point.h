@@ -20,15 +20,17 @@ using Tensor3 = dealii::Tensor<rank, 3, Number>;
 template <typename Number>
 using Given = std::conditional_t<std::is_same<Number, Lanes>::value, Lanes, double>;
 
-/// What a law with internal variables sees of the past of a point: their values in the last
-/// accepted state and the time in s since. After infinite time all has relaxed, whatever was
-/// before.
+/// What internal variables see of the past of a point: their rate is @p rate times the difference
+/// between their value and @p old, by backward differences (Rates). A first-order step of length dt
+/// has the rate 1/dt and the last accepted values; the rate 0 belongs to what has relaxed, an
+/// infinite one to what has had no time.
 template <typename Value = double>
 struct PointHistory {
-  const Value* old = nullptr; ///< none before the first state, and where no law remembers
-  double time = 0.;           ///< s; of zeros alone, a history costs nothing to begin with
+  const Value* old = nullptr; ///< none: those of the body at rest
+  double rate = 0.;           ///< 1/s
 
-  double dt() const { return old ? time : std::numeric_limits<double>::infinity(); }
+  bool is_relaxed() const { return rate == 0.; }
+  bool is_instant() const { return rate == std::numeric_limits<double>::infinity(); }
 };
 
 /// What a material law sees: deformation gradient F, nominal electric field E in kV/mm, absolute
