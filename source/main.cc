@@ -7,7 +7,7 @@
 #include <thelma/base/units.h>
 #include <thelma/base/version.h>
 #include <thelma/elements/formulation.h>
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 #include <thelma/solvers/linear_solver.h>
 
 #include <deal.II/base/mpi.h>

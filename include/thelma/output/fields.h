@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 
 #include <string>
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <thelma/elements/integrate.h>
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 
 #include <optional>
 

@@ -2,7 +2,7 @@
 
 #include <thelma/base/complaints.h>
 #include <thelma/base/timings.h>
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 #include <thelma/strategies/predictor.h>
 
 #include <functional>

@@ -1,6 +1,6 @@
 #include <thelma/base/error.h>
 #include <thelma/base/quantity.h>
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,6 +1,6 @@
 #include <thelma/base/axes.h>
 #include <thelma/fields/named_dofs.h>
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 #include <thelma/fields/deformed_surface.h>
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,7 +1,7 @@
 #include <thelma/base/axes.h>
 #include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>

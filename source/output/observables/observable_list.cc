@@ -1,5 +1,5 @@
 #include <thelma/base/axes.h>
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 
 namespace thelma
 {
