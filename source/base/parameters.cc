@@ -163,6 +163,27 @@ bool ParameterFile::has_section(const std::vector<std::string>& path) const
                      [&](const Statement& statement) { return statement.sections == path; });
 }
 
+std::vector<std::string> ParameterFile::subsections(const std::vector<std::string>& path) const
+{
+  std::vector<std::string> names;
+  for (const Statement& statement : statements.entries) {
+    const std::vector<std::string>& sections = statement.sections;
+    if (sections.size() > path.size() && std::equal(path.begin(), path.end(), sections.begin()) &&
+        std::find(names.begin(), names.end(), sections[path.size()]) == names.end())
+      names.push_back(sections[path.size()]);
+  }
+  return names;
+}
+
+std::vector<std::string> ParameterFile::entries(const std::vector<std::string>& path) const
+{
+  std::vector<std::string> names;
+  for (const Statement& statement : statements.entries)
+    if (statement.sections == path)
+      names.push_back(statement.entry);
+  return names;
+}
+
 void ParameterFile::read(dealii::ParameterHandler& prm) const
 {
   const DeclaredEntries declared(prm);

@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
-#include <set>
 #include <sstream>
 
 namespace thelma
@@ -38,25 +37,8 @@ Results<dim>::Results(const MPI_Comm comm, const ParameterFile& file, std::strin
                       std::ostream& console, Timings& timings)
     : comm(comm), file_name(file.name()), folder(std::move(folder)),
       console(console, dealii::Utilities::MPI::this_mpi_process(comm) == 0), timings(timings),
-      checkpoints(this->folder)
+      checkpoints(this->folder), observed(file)
 {
-  file.peek([&](dealii::ParameterHandler& choices) {
-    const Section section(choices, {"Output"});
-    choices.add_parameter("Observables", observed_names);
-  });
-  const std::vector<std::string> known = observables<dim>().names();
-  for (const std::string& name : observed_names)
-    if (std::find(known.begin(), known.end(), name) != known.end())
-      observed.emplace_back(name, observables<dim>().create(name));
-  // Their sections are known, so that a misspelt name is complained about once.
-  for (const std::string& name : known)
-    if (std::find(observed_names.begin(), observed_names.end(), name) == observed_names.end() &&
-        file.has_section({"Observables", name})) {
-      meant.emplace_back(name, observables<dim>().create(name));
-      if (observed.size() == observed_names.size())
-        unnamed.push_back(name);
-    }
-  observed_names.clear(); // the declared default
 }
 
 template <int dim>
@@ -64,17 +46,7 @@ void Results<dim>::declare(dealii::ParameterHandler& prm)
 {
   {
     const Section section(prm, {"Output"});
-    prm.add_parameter("Observables", observed_names,
-                      "Columns of curve.csv in addition to the load; known: " +
-                          comma_separated(observables<dim>().names()) + ".");
-    prm.add_action("Observables", [](const std::string& names) {
-      std::set<std::string> distinct;
-      for (const std::string& name : dealii::Utilities::split_string_list(names)) {
-        observables<dim>().create(name); // answers an unknown one
-        if (!distinct.insert(name).second)
-          throw InputError("'" + name + "' is given twice; write every observable once");
-      }
-    });
+    observed.declare_names(prm);
     add_quantity(prm, "Checkpoint interval", checkpoint_interval,
                  "Shortest time between two checkpoints, from which a killed run can continue; 0: "
                  "one after every step.",
@@ -82,11 +54,7 @@ void Results<dim>::declare(dealii::ParameterHandler& prm)
   }
   fields.declare(prm);
   expectations.declare(prm);
-  for (const auto* list : {&observed, &meant})
-    for (const auto& [name, observable] : *list) {
-      const Section section(prm, {"Observables", name});
-      observable->declare(prm);
-    }
+  observed.declare(prm);
 }
 
 template <int dim>
@@ -96,15 +64,9 @@ void Results<dim>::setup(const Scene<dim>& scene, const double theta)
   if (scene.layout.is_transient())
     columns.insert(columns.begin() + 2, "time_s");
   Complaints complaints;
-  for (const auto& entry : observed) {
-    complaints.allow([&]() { entry.second->setup(scene); });
-    for (const std::string& column : entry.second->columns())
-      columns.push_back(column);
-  }
-  for (const std::string& name : unnamed)
-    complaints.add("section Observables/" + name +
-                   ": the entry 'Observables' of the section Output does not name it; add '" +
-                   name + "' there, or remove this section");
+  observed.setup(scene, complaints);
+  for (const std::string& column : observed.columns())
+    columns.push_back(column);
   columns.emplace_back("min_det_F");
   if (scene.system.knows_stability())
     columns.emplace_back("unstable_directions");
@@ -113,6 +75,9 @@ void Results<dim>::setup(const Scene<dim>& scene, const double theta)
     columns.emplace_back("linear_iterations");
   columns.emplace_back("seconds");
   curve = std::make_unique<Curve>(columns);
+  std::vector<std::string> header = columns;
+  header.emplace_back("event");
+  observed.require_distinct(header, complaints);
   complaints.allow([&]() { expectations.setup(columns, theta); });
   complaints.raise();
 }
@@ -193,9 +158,8 @@ void Results<dim>::add(const Scene<dim>& scene, const PathPoint& point, const Ne
                           mean_temperature(scene)};
   if (scene.layout.is_transient())
     row.insert(row.begin() + 2, scene.state.time);
-  for (const auto& entry : observed)
-    for (const double value : entry.second->evaluate(scene))
-      row.push_back(value);
+  for (const double value : observed.evaluate(scene))
+    row.push_back(value);
   row.push_back(report.min_det_F);
   if (scene.system.knows_stability())
     row.push_back(static_cast<double>(point.unstable_directions));
@@ -208,30 +172,6 @@ void Results<dim>::add(const Scene<dim>& scene, const PathPoint& point, const Ne
   on_rank_0(comm, [&]() { curve->write(folder + "/curve.csv"); });
   fields.write(scene, folder, curve->n_rows() - 1, abscissa(scene, point.load), false);
   print_step(scene, point, report);
-}
-
-template <int dim>
-void Results<dim>::require_column(const std::string& column, const std::string& place) const
-{
-  std::vector<std::string> known;
-  for (const auto& entry : observed)
-    for (const std::string& name : entry.second->columns())
-      known.push_back(name);
-  if (std::find(known.begin(), known.end(), column) == known.end())
-    throw InputError(place + ": no observable has the column '" + column + "'" +
-                     known_ones(column, known));
-}
-
-template <int dim>
-double Results<dim>::value(const Scene<dim>& scene, const std::string& column)
-{
-  for (const auto& entry : observed) {
-    const std::vector<std::string> columns = entry.second->columns();
-    const auto found = std::find(columns.begin(), columns.end(), column);
-    if (found != columns.end())
-      return entry.second->evaluate(scene)[found - columns.begin()];
-  }
-  return 0.;
 }
 
 template <int dim>

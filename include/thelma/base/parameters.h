@@ -49,6 +49,12 @@ public:
   /// Whether anything is set in the section @p path.
   bool has_section(const std::vector<std::string>& path) const;
 
+  /// Names of the sections in the section @p path in which anything is set, in their order.
+  std::vector<std::string> subsections(const std::vector<std::string>& path) const;
+
+  /// Names of the entries that are set in the section @p path.
+  std::vector<std::string> entries(const std::vector<std::string>& path) const;
+
   /// A complaint about a section with file and line before it; any other as it is.
   std::string located(const std::string& sentence) const;
 

@@ -4,6 +4,7 @@
 #include <thelma/base/timings.h>
 #include <thelma/output/checkpoints.h>
 #include <thelma/output/fields.h>
+#include <thelma/output/observables/chosen_observables.h>
 #include <thelma/output/outcome.h>
 #include <thelma/solvers/newton.h>
 
@@ -13,7 +14,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace thelma
@@ -59,14 +59,7 @@ public:
   std::optional<std::string> read_checkpoint(const std::vector<std::string>& inputs);
 
   /// What the observables say of their columns in this scene.
-  std::vector<std::string> remarks() const
-  {
-    std::vector<std::string> sentences;
-    for (const auto& entry : observed)
-      for (const std::string& sentence : entry.second->remarks())
-        sentences.push_back(sentence);
-    return sentences;
-  }
+  std::vector<std::string> remarks() const { return observed.remarks(); }
 
   /// How to go on after the run was stopped.
   std::string advice() const { return "continue with thelma --restart " + folder; }
@@ -76,22 +69,23 @@ public:
   void serialize(Archive& archive, unsigned int)
   {
     double spent = seconds();
-    std::vector<std::vector<double>> memories;
-    for (const auto& entry : observed)
-      memories.push_back(entry.second->memory());
-    archive& spent& timings& fields&* curve& memories;
-    for (std::size_t i = 0; i < observed.size(); ++i)
-      observed[i].second->remember(memories[i]);
+    archive& spent& timings& fields&* curve& observed;
     seconds_before = spent - stopwatch.seconds();
   }
 
   void add(const Scene<dim>& scene, const PathPoint& point, const NewtonReport& report);
 
   /// Throws InputError, with @p place in the sentence, if no observable has @p column.
-  void require_column(const std::string& column, const std::string& place) const;
+  void require_column(const std::string& column, const std::string& place) const
+  {
+    observed.require_column(column, place);
+  }
 
   /// What @p column of an observable is in the present state.
-  double value(const Scene<dim>& scene, const std::string& column);
+  double value(const Scene<dim>& scene, const std::string& column)
+  {
+    return observed.value(scene, column);
+  }
 
   /// Write an eigenvector of the tangent as `mode_0.pvtu`, ...
   void add_mode(const Scene<dim>& scene, const BlockVector& mode)
@@ -120,11 +114,7 @@ private:
   double seconds_before = 0.; ///< of the run that is continued
   double checkpoint_interval = 60.;
   Checkpoints checkpoints;
-  std::vector<std::pair<std::string, std::unique_ptr<Observable<dim>>>> observed;
-  std::vector<std::pair<std::string, std::unique_ptr<Observable<dim>>>>
-      meant; ///< have a section but no such name, which may be misspelt
-  std::vector<std::string> observed_names;
-  std::vector<std::string> unnamed; ///< the same, where no name is misspelt
+  ChosenObservables<dim> observed;
   FieldWriter<dim> fields;
   Expectations expectations;
   std::unique_ptr<Curve> curve;

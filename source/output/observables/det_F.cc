@@ -14,9 +14,11 @@ template <int dim>
 class DetF final : public Observable<dim>
 {
 public:
+  using Observable<dim>::Observable;
+
   void setup(const Scene<dim>& scene) override { points.setup(scene); }
 
-  std::vector<std::string> columns() const override { return {"max_det_F"}; }
+  std::vector<std::string> columns_of_kind() const override { return {"max_det_F"}; }
 
   std::vector<double> evaluate(const Scene<dim>& scene) override
   {
@@ -34,12 +36,12 @@ private:
 } // namespace
 
 template <int dim>
-std::unique_ptr<Observable<dim>> make_det_F()
+std::unique_ptr<Observable<dim>> make_det_F(const ObservableName& name)
 {
-  return std::make_unique<DetF<dim>>();
+  return std::make_unique<DetF<dim>>(name);
 }
 
-template std::unique_ptr<Observable<2>> make_det_F();
-template std::unique_ptr<Observable<3>> make_det_F();
+template std::unique_ptr<Observable<2>> make_det_F(const ObservableName&);
+template std::unique_ptr<Observable<3>> make_det_F(const ObservableName&);
 
 } // namespace thelma

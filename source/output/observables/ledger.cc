@@ -21,6 +21,8 @@ template <int dim>
 class Ledger final : public Observable<dim>
 {
 public:
+  using Observable<dim>::Observable;
+
   void setup(const Scene<dim>& scene) override
   {
     if (scene.layout.has(Field::temperature) && !scene.layout.has_transient_temperature())
@@ -35,7 +37,7 @@ public:
     theta_0 = scene.materials.reference_temperature();
   }
 
-  std::vector<std::string> columns() const override
+  std::vector<std::string> columns_of_kind() const override
   {
     return {"ledger_elastic_mJ",
             "ledger_electric_mJ",
@@ -247,12 +249,12 @@ private:
 } // namespace
 
 template <int dim>
-std::unique_ptr<Observable<dim>> make_ledger()
+std::unique_ptr<Observable<dim>> make_ledger(const ObservableName& name)
 {
-  return std::make_unique<Ledger<dim>>();
+  return std::make_unique<Ledger<dim>>(name);
 }
 
-template std::unique_ptr<Observable<2>> make_ledger();
-template std::unique_ptr<Observable<3>> make_ledger();
+template std::unique_ptr<Observable<2>> make_ledger(const ObservableName&);
+template std::unique_ptr<Observable<3>> make_ledger(const ObservableName&);
 
 } // namespace thelma

@@ -79,7 +79,10 @@ template <int dim>
 class Stretch final : public Observable<dim>
 {
 public:
-  explicit Stretch(const unsigned int direction) : direction(direction) {}
+  Stretch(const ObservableName& name, const unsigned int direction)
+      : Observable<dim>(name), direction(direction)
+  {
+  }
 
   void declare(dealii::ParameterHandler& prm) override
   {
@@ -89,15 +92,14 @@ public:
 
   void setup(const Scene<dim>& scene) override
   {
-    const std::string place = "section Observables/" + columns().front();
-    low.setup(scene, from, place + ", entry 'From'", direction);
-    high.setup(scene, to, place + ", entry 'To'", direction);
+    low.setup(scene, from, this->name.place("From"), direction);
+    high.setup(scene, to, this->name.place("To"), direction);
     if (!(high.position > low.position))
-      throw InputError(place + ", entry 'To': '" + to + "' does not lie above '" + from +
+      throw InputError(this->name.place("To") + ": '" + to + "' does not lie above '" + from +
                        "'; name surfaces with material between them");
   }
 
-  std::vector<std::string> columns() const override
+  std::vector<std::string> columns_of_kind() const override
   {
     return {"lambda_" + std::to_string(axis<dim>(direction) + 1)};
   }
@@ -117,12 +119,13 @@ private:
 } // namespace
 
 template <int dim>
-std::unique_ptr<Observable<dim>> make_stretch(const unsigned int direction)
+std::unique_ptr<Observable<dim>> make_stretch(const ObservableName& name,
+                                              const unsigned int direction)
 {
-  return std::make_unique<Stretch<dim>>(direction);
+  return std::make_unique<Stretch<dim>>(name, direction);
 }
 
-template std::unique_ptr<Observable<2>> make_stretch(unsigned int);
-template std::unique_ptr<Observable<3>> make_stretch(unsigned int);
+template std::unique_ptr<Observable<2>> make_stretch(const ObservableName&, unsigned int);
+template std::unique_ptr<Observable<3>> make_stretch(const ObservableName&, unsigned int);
 
 } // namespace thelma

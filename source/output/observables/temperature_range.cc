@@ -14,7 +14,12 @@ template <int dim>
 class TemperatureRange final : public Observable<dim>
 {
 public:
-  std::vector<std::string> columns() const override { return {"theta_min_K", "theta_max_K"}; }
+  using Observable<dim>::Observable;
+
+  std::vector<std::string> columns_of_kind() const override
+  {
+    return {"theta_min_K", "theta_max_K"};
+  }
 
   std::vector<double> evaluate(const Scene<dim>& scene) override
   {
@@ -33,12 +38,12 @@ public:
 } // namespace
 
 template <int dim>
-std::unique_ptr<Observable<dim>> make_temperature_range()
+std::unique_ptr<Observable<dim>> make_temperature_range(const ObservableName& name)
 {
-  return std::make_unique<TemperatureRange<dim>>();
+  return std::make_unique<TemperatureRange<dim>>(name);
 }
 
-template std::unique_ptr<Observable<2>> make_temperature_range();
-template std::unique_ptr<Observable<3>> make_temperature_range();
+template std::unique_ptr<Observable<2>> make_temperature_range(const ObservableName&);
+template std::unique_ptr<Observable<3>> make_temperature_range(const ObservableName&);
 
 } // namespace thelma

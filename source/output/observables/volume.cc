@@ -12,9 +12,11 @@ template <int dim>
 class Volume final : public Observable<dim>
 {
 public:
+  using Observable<dim>::Observable;
+
   void setup(const Scene<dim>& scene) override { points.setup(scene); }
 
-  std::vector<std::string> columns() const override { return {"volume_ratio"}; }
+  std::vector<std::string> columns_of_kind() const override { return {"volume_ratio"}; }
 
   std::vector<double> evaluate(const Scene<dim>& scene) override
   {
@@ -35,12 +37,12 @@ private:
 } // namespace
 
 template <int dim>
-std::unique_ptr<Observable<dim>> make_volume()
+std::unique_ptr<Observable<dim>> make_volume(const ObservableName& name)
 {
-  return std::make_unique<Volume<dim>>();
+  return std::make_unique<Volume<dim>>(name);
 }
 
-template std::unique_ptr<Observable<2>> make_volume();
-template std::unique_ptr<Observable<3>> make_volume();
+template std::unique_ptr<Observable<2>> make_volume(const ObservableName&);
+template std::unique_ptr<Observable<3>> make_volume(const ObservableName&);
 
 } // namespace thelma
