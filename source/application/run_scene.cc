@@ -29,7 +29,7 @@ unsigned int dimension_of(const ParameterFile& file)
   return dim;
 }
 
-/// Let @p action use the simulation of the file; complaints about a section name the file.
+/// Let @p action use the simulation of the file; errors in a section name the file.
 template <typename Action>
 auto with_simulation(const MPI_Comm comm, const ParameterFile& file, const std::string& folder,
                      std::ostream& console, const Action& action)
@@ -128,7 +128,7 @@ Outcome SingleRun::run(const MPI_Comm comm, std::ostream& console) const
 bool is_finished(const ParameterFile& file, const std::string& folder)
 {
   return with_simulation(MPI_COMM_SELF, file, folder, silence(),
-                         [](const auto& simulation) { return simulation.finished(); });
+                         [](const auto& simulation) { return simulation.is_finished(); });
 }
 
 std::string check_scene(const MPI_Comm comm, const ParameterFile& file, const std::string& folder)

@@ -113,7 +113,7 @@ std::optional<std::string> Checkpoints::read(std::vector<std::string>& damaged)
   return content(newest_file())->text;
 }
 
-bool Checkpoints::exist() const
+bool Checkpoints::has_any() const
 {
   std::error_code unreachable;
   return std::filesystem::exists(name(0), unreachable) ||

@@ -47,7 +47,7 @@ public:
   void require(const std::string& name) const
   {
     if (!has(name))
-      throw InputError(kind + " '" + name + "'" + known_ones(name, names()));
+      throw InputError(kind + " '" + name + "'" + did_you_mean(name, names()));
   }
 
   std::vector<std::string> names() const

@@ -25,7 +25,7 @@ public:
   std::optional<std::string> read(std::vector<std::string>& damaged);
 
   std::string newest_file() const { return name(*newest % 2); }
-  bool exist() const;
+  bool has_any() const;
   void remove() const;
 
 private:

@@ -20,6 +20,6 @@ double part_within_cells(const FieldLayout<dim>& layout, BlockVector& mode);
 /// How far the field has driven the body: the largest true field and the thinnest stretch along it.
 /// Empty without a field.
 template <int dim>
-std::string describe_field(const Scene<dim>& scene);
+std::string describe_field(const ObservableInput<dim>& scene);
 
 } // namespace thelma

@@ -26,14 +26,14 @@ public:
                  Quantity("kV/mm", 1e-12));
   }
 
-  void setup(const Scene<dim>& scene) override { points.setup(scene); }
+  void setup(const ObservableInput<dim>& scene) override { points.setup(scene); }
 
   std::vector<std::string> columns_of_kind() const override
   {
     return {"max_true_field_kV_mm", "breakdown_ratio"};
   }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     double largest = 0.;
     points.visit(scene, [&](const PointState<>& state, const Material&, double) {

@@ -23,7 +23,7 @@ public:
     return {"charge_uC", "capacitance_nF"};
   }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     const double voltage = scene.state.voltage;
     double charge = 0.;

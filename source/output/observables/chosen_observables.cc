@@ -62,7 +62,7 @@ void check_name(const std::string& name, const std::map<std::string, std::string
       known.push_back(entry.first);
     throw InputError("unknown observable '" + name +
                      "', which has no Kind in the section Observables/" + name +
-                     known_ones(name, known));
+                     did_you_mean(name, known));
   }
   if (!is_name(name))
     throw InputError("the name of the observable '" + name +
@@ -171,10 +171,10 @@ void ChosenObservables<dim>::declare_kind(dealii::ParameterHandler& prm,
 }
 
 template <int dim>
-void ChosenObservables<dim>::setup(const Scene<dim>& scene, Complaints& found)
+void ChosenObservables<dim>::setup(const ObservableInput<dim>& scene, InputErrors& found)
 {
   for (const auto& observable : observed)
-    found.allow([&]() { observable->setup(scene); });
+    found.collect([&]() { observable->setup(scene); });
   for (const std::string& name : unnamed)
     found.add("section Observables/" + name +
               ": the entry 'Observables' of the section Output does not name it; add '" + name +
@@ -183,7 +183,7 @@ void ChosenObservables<dim>::setup(const Scene<dim>& scene, Complaints& found)
 
 template <int dim>
 void ChosenObservables<dim>::require_distinct(const std::vector<std::string>& curve,
-                                              Complaints& found) const
+                                              InputErrors& found) const
 {
   for (const auto& observable : observed)
     if (observable->name.own != observable->name.kind)
@@ -214,7 +214,7 @@ std::vector<std::string> ChosenObservables<dim>::remarks() const
 }
 
 template <int dim>
-std::vector<double> ChosenObservables<dim>::evaluate(const Scene<dim>& scene)
+std::vector<double> ChosenObservables<dim>::evaluate(const ObservableInput<dim>& scene)
 {
   std::vector<double> values;
   for (const auto& observable : observed)
@@ -230,11 +230,11 @@ void ChosenObservables<dim>::require_column(const std::string& column,
   const std::vector<std::string> known = columns();
   if (!contains(known, column))
     throw InputError(place + ": no observable has the column '" + column + "'" +
-                     known_ones(column, known));
+                     did_you_mean(column, known));
 }
 
 template <int dim>
-double ChosenObservables<dim>::value(const Scene<dim>& scene, const std::string& column)
+double ChosenObservables<dim>::value(const ObservableInput<dim>& scene, const std::string& column)
 {
   for (const auto& observable : observed) {
     const std::vector<std::string> names = observable->columns();

@@ -16,11 +16,11 @@ class DetF final : public Observable<dim>
 public:
   using Observable<dim>::Observable;
 
-  void setup(const Scene<dim>& scene) override { points.setup(scene); }
+  void setup(const ObservableInput<dim>& scene) override { points.setup(scene); }
 
   std::vector<std::string> columns_of_kind() const override { return {"max_det_F"}; }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     double largest = 0.;
     points.visit(scene, [&](const PointState<>& state, const Material&, double) {

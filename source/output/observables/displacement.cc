@@ -19,7 +19,7 @@ public:
     prm.add_parameter("At", group, "Point, line or surface whose mean displacement is reported.");
   }
 
-  void setup(const Scene<dim>& scene) override
+  void setup(const ObservableInput<dim>& scene) override
   {
     const std::string place = this->name.place("At");
     for (unsigned int c = 0; c < dim; ++c)
@@ -34,7 +34,7 @@ public:
     return names;
   }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     std::vector<double> means;
     for (const auto& of_component : dofs)

@@ -15,7 +15,7 @@ class ElectrodeStates final : public Observable<dim>
 public:
   using Observable<dim>::Observable;
 
-  void setup(const Scene<dim>& scene) override
+  void setup(const ObservableInput<dim>& scene) override
   {
     for (const Electrode& electrode : scene.conditions.electrodes())
       for (const std::string quantity : {"_voltage_kV", "_charge_uC", "_capacitance_nF"})
@@ -24,7 +24,7 @@ public:
 
   std::vector<std::string> columns_of_kind() const override { return names; }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     std::vector<double> values;
     for (const Electrode& electrode : scene.conditions.electrodes()) {

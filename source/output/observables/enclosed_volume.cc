@@ -23,7 +23,7 @@ public:
                       "origin; in plane strain per mm of depth.");
   }
 
-  void setup(const Scene<dim>& scene) override
+  void setup(const ObservableInput<dim>& scene) override
   {
     surface.setup(scene.mesh, scene.layout, enclosing, this->name.place("Of"));
     at_rest = signed_volume(scene.layout, scene.layout.new_vector());
@@ -31,7 +31,7 @@ public:
 
   std::vector<std::string> columns_of_kind() const override { return {"enclosed_volume_mm3"}; }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     const double now = signed_volume(scene.layout, scene.state.x);
     return {at_rest < 0. ? -now : now};

@@ -20,7 +20,7 @@ public:
     return {"energy_elastic_mJ", "energy_electric_mJ"};
   }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     const Energies own = scene.system.energies();
     const std::vector<double> sums{own.elastic, own.electric};

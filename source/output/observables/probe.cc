@@ -20,7 +20,7 @@ public:
                       "Point, line or surface whose mean potential and temperature are reported.");
   }
 
-  void setup(const Scene<dim>& scene) override
+  void setup(const ObservableInput<dim>& scene) override
   {
     for (const Field field : {Field::potential, Field::temperature})
       if (scene.layout.has(field)) {
@@ -32,7 +32,7 @@ public:
 
   std::vector<std::string> columns_of_kind() const override { return names; }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     std::vector<double> means;
     for (const auto& of_field : dofs)

@@ -30,7 +30,7 @@ public:
         "force of all supports on its nodes.");
   }
 
-  void setup(const Scene<dim>& scene) override
+  void setup(const ObservableInput<dim>& scene) override
   {
     std::array<std::vector<std::string>, dim> holding;
     bool is_support = false;
@@ -57,7 +57,7 @@ public:
     return names;
   }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     std::vector<double> forces;
     for (const auto& of_component : dofs)
@@ -78,21 +78,22 @@ private:
     return std::find(names.begin(), names.end(), name) != names.end();
   }
 
-  Dofs dofs_at(const Scene<dim>& scene, const std::string& entity, const unsigned int c) const
+  Dofs dofs_at(const ObservableInput<dim>& scene, const std::string& entity,
+               const unsigned int c) const
   {
     return dofs_on(scene.mesh, scene.layout, entity, this->name.place("At"), c);
   }
 
   /// A node that two supports hold in one direction does not tell which of them bears its force.
-  void note_shared(const Scene<dim>& scene, const unsigned int c,
+  void note_shared(const ObservableInput<dim>& scene, const unsigned int c,
                    const std::vector<std::string>& holding)
   {
     const std::string number = std::to_string(axis<dim>(c) + 1);
     for (const std::string& other : holding) {
       const Dofs theirs = dofs_at(scene, other, c);
-      const bool meet = std::any_of(dofs[c].begin(), dofs[c].end(),
-                                    [&](const auto dof) { return theirs.count(dof) > 0; });
-      if (other != group && meet)
+      const bool is_shared = std::any_of(dofs[c].begin(), dofs[c].end(),
+                                         [&](const auto dof) { return theirs.count(dof) > 0; });
+      if (other != group && is_shared)
         shared.push_back(this->name.column(force_column(c)) + " includes the force of '" + other +
                          "', which also holds u" + number + " at the nodes it shares with '" +
                          group + "'");

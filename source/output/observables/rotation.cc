@@ -29,7 +29,7 @@ public:
                  Quantity("mm"));
   }
 
-  void setup(const Scene<dim>& scene) override
+  void setup(const ObservableInput<dim>& scene) override
   {
     const dealii::Mapping<dim>& mapping = scene.layout.mapping();
     const auto& points = scene.layout.scalar_element().get_unit_support_points();
@@ -50,7 +50,7 @@ public:
 
   std::vector<std::string> columns_of_kind() const override { return {this->name.kind + "_deg"}; }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     // Sums over the nodes of each section of 1, X1, x1, x3, X1 x1, X1 x3, X1^2.
     constexpr int n_sums = 7;

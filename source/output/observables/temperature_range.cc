@@ -21,17 +21,17 @@ public:
     return {"theta_min_K", "theta_max_K"};
   }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     if (!scene.layout.has(Field::temperature))
       return {scene.state.theta, scene.state.theta};
     const auto& theta = scene.state.x.block(scene.layout.block(Field::temperature));
     const double* begin = theta.begin();
     const auto [low, high] = std::minmax_element(begin, begin + theta.locally_owned_size());
-    const bool some = theta.locally_owned_size() > 0;
+    const bool has_own = theta.locally_owned_size() > 0;
     const MPI_Comm comm = scene.layout.communicator();
-    return {dealii::Utilities::MPI::min(some ? *low : 1e300, comm),
-            dealii::Utilities::MPI::max(some ? *high : 0., comm)};
+    return {dealii::Utilities::MPI::min(has_own ? *low : 1e300, comm),
+            dealii::Utilities::MPI::max(has_own ? *high : 0., comm)};
   }
 };
 

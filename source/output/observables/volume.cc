@@ -14,11 +14,11 @@ class Volume final : public Observable<dim>
 public:
   using Observable<dim>::Observable;
 
-  void setup(const Scene<dim>& scene) override { points.setup(scene); }
+  void setup(const ObservableInput<dim>& scene) override { points.setup(scene); }
 
   std::vector<std::string> columns_of_kind() const override { return {"volume_ratio"}; }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     double deformed = 0., undeformed = 0.;
     points.visit(scene, [&](const PointState<>& state, const Material&, const double JxW) {

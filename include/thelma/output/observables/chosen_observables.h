@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/base/complaints.h>
+#include <thelma/base/input_errors.h>
 #include <thelma/base/parameters.h>
 #include <thelma/output/observables/observables.h>
 
@@ -28,11 +28,11 @@ public:
   void declare(dealii::ParameterHandler& prm);
 
   /// @p found collects what is wrong.
-  void setup(const Scene<dim>& scene, Complaints& found);
+  void setup(const ObservableInput<dim>& scene, InputErrors& found);
 
   /// No name may make a second column of one that is in @p curve, which has those of all
   /// observables.
-  void require_distinct(const std::vector<std::string>& curve, Complaints& found) const;
+  void require_distinct(const std::vector<std::string>& curve, InputErrors& found) const;
 
   std::vector<std::string> columns() const;
 
@@ -40,13 +40,13 @@ public:
   std::vector<std::string> remarks() const;
 
   /// A number for each column.
-  std::vector<double> evaluate(const Scene<dim>& scene);
+  std::vector<double> evaluate(const ObservableInput<dim>& scene);
 
   /// Throws InputError, with @p place in the sentence, if no observable has @p column.
   void require_column(const std::string& column, const std::string& place) const;
 
   /// What @p column is in the present state.
-  double value(const Scene<dim>& scene, const std::string& column);
+  double value(const ObservableInput<dim>& scene, const std::string& column);
 
   /// What the observables remember of earlier steps.
   template <class Archive>
@@ -54,10 +54,10 @@ public:
   {
     std::vector<std::vector<double>> memories;
     for (const auto& observable : observed)
-      memories.push_back(observable->memory());
+      memories.push_back(observable->saved());
     archive& memories;
     for (std::size_t i = 0; i < observed.size(); ++i)
-      observed[i]->remember(memories[i]);
+      observed[i]->restore(memories[i]);
   }
 
 private:

@@ -14,7 +14,7 @@ namespace thelma
 
 /// What an observable may look at.
 template <int dim>
-struct Scene {
+struct ObservableInput {
   const MaterialLibrary& materials;
   const Mesh<dim>& mesh;
   const FieldLayout<dim>& layout;
@@ -27,7 +27,7 @@ struct Scene {
 
 /// Volume mean of the temperature in K.
 template <int dim>
-double mean_temperature(const Scene<dim>& scene);
+double mean_temperature(const ObservableInput<dim>& scene);
 
 /// One or a few named numbers per accepted step. A new kind is one file and one line in
 /// observable_list.cc; the parameters of an observable stand in the section Observables/<its name>.
@@ -38,7 +38,7 @@ public:
   explicit Observable(ObservableName name) : name(std::move(name)) {}
   virtual ~Observable() = default;
   virtual void declare(dealii::ParameterHandler&) {}
-  virtual void setup(const Scene<dim>&) {}
+  virtual void setup(const ObservableInput<dim>&) {}
 
   /// Column names with their unit, such as `charge_uC`.
   std::vector<std::string> columns() const
@@ -54,11 +54,11 @@ public:
 
   /// In the present state. What depends on earlier steps too (`ledger`) is asked once per accepted
   /// step, in order.
-  virtual std::vector<double> evaluate(const Scene<dim>& scene) = 0;
+  virtual std::vector<double> evaluate(const ObservableInput<dim>& scene) = 0;
 
   /// All that evaluate() remembers of earlier steps, for a checkpoint, and back.
-  virtual std::vector<double> memory() const { return {}; }
-  virtual void remember(const std::vector<double>&) {}
+  virtual std::vector<double> saved() const { return {}; }
+  virtual void restore(const std::vector<double>&) {}
 
   const ObservableName name;
 

@@ -1,7 +1,7 @@
-#include <thelma/base/complaints.h>
+#include <thelma/base/input_errors.h>
 #include <thelma/base/quantity.h>
 #include <thelma/base/version.h>
-#include <thelma/output/results.h>
+#include <thelma/output/run_output.h>
 #include <thelma/output/run_report.h>
 
 #include <deal.II/base/mpi.h>
@@ -33,8 +33,8 @@ bool is_younger(const std::string& file, const std::vector<std::string>& inputs)
 } // namespace
 
 template <int dim>
-Results<dim>::Results(const MPI_Comm comm, const ParameterFile& file, std::string folder,
-                      std::ostream& console, Timings& timings)
+RunOutput<dim>::RunOutput(const MPI_Comm comm, const ParameterFile& file, std::string folder,
+                          std::ostream& console, Timings& timings)
     : comm(comm), file_name(file.name()), folder(std::move(folder)),
       console(console, dealii::Utilities::MPI::this_mpi_process(comm) == 0), timings(timings),
       checkpoints(this->folder), observed(file)
@@ -42,7 +42,7 @@ Results<dim>::Results(const MPI_Comm comm, const ParameterFile& file, std::strin
 }
 
 template <int dim>
-void Results<dim>::declare(dealii::ParameterHandler& prm)
+void RunOutput<dim>::declare(dealii::ParameterHandler& prm)
 {
   {
     const Section section(prm, {"Output"});
@@ -58,13 +58,13 @@ void Results<dim>::declare(dealii::ParameterHandler& prm)
 }
 
 template <int dim>
-void Results<dim>::setup(const Scene<dim>& scene, const double theta)
+void RunOutput<dim>::setup(const ObservableInput<dim>& scene, const double theta)
 {
   std::vector<std::string> columns{"step", "load", "voltage_kV", "e", "theta_K"};
   if (scene.layout.is_transient())
     columns.insert(columns.begin() + 2, "time_s");
-  Complaints complaints;
-  observed.setup(scene, complaints);
+  InputErrors errors;
+  observed.setup(scene, errors);
   for (const std::string& column : observed.columns())
     columns.push_back(column);
   columns.emplace_back("min_det_F");
@@ -77,14 +77,14 @@ void Results<dim>::setup(const Scene<dim>& scene, const double theta)
   curve = std::make_unique<Curve>(columns);
   std::vector<std::string> header = columns;
   header.emplace_back("event");
-  observed.require_distinct(header, complaints);
-  complaints.allow([&]() { expectations.setup(columns, theta); });
-  complaints.raise();
+  observed.require_distinct(header, errors);
+  errors.collect([&]() { expectations.setup(columns, theta); });
+  errors.raise();
 }
 
 template <int dim>
-bool Results<dim>::finished(const std::string& parameters,
-                            const std::vector<std::string>& inputs) const
+bool RunOutput<dim>::is_finished(const std::string& parameters,
+                                 const std::vector<std::string>& inputs) const
 {
   const std::string report = folder + "/run.json";
   const std::optional<Outcome> outcome = read_run_report(report);
@@ -96,8 +96,8 @@ bool Results<dim>::finished(const std::string& parameters,
 }
 
 template <int dim>
-void Results<dim>::start(const std::string& parameters, const Outcome& outcome, const double theta,
-                         const bool continued)
+void RunOutput<dim>::start(const std::string& parameters, const Outcome& outcome,
+                           const double theta, const bool continued)
 {
   on_rank_0(comm, [&]() {
     remove_file(folder + "/run.json"); // the report of an earlier run
@@ -125,7 +125,7 @@ void Results<dim>::start(const std::string& parameters, const Outcome& outcome, 
 }
 
 template <int dim>
-void Results<dim>::write_checkpoint(const std::string& content)
+void RunOutput<dim>::write_checkpoint(const std::string& content)
 {
   const auto timer = timings.measure("output");
   on_rank_0(comm, [&]() { checkpoints.write(content); });
@@ -133,12 +133,12 @@ void Results<dim>::write_checkpoint(const std::string& content)
 }
 
 template <int dim>
-std::optional<std::string> Results<dim>::read_checkpoint(const std::vector<std::string>& inputs)
+std::optional<std::string> RunOutput<dim>::read_checkpoint(const std::vector<std::string>& inputs)
 {
   std::optional<std::string> content;
   on_rank_0(comm, [&]() {
     std::vector<std::string> damaged;
-    if (checkpoints.exist())
+    if (checkpoints.has_any())
       content = checkpoints.read(damaged);
     if (content && !is_younger(checkpoints.newest_file(), inputs))
       content.reset();
@@ -151,7 +151,8 @@ std::optional<std::string> Results<dim>::read_checkpoint(const std::vector<std::
 }
 
 template <int dim>
-void Results<dim>::add(const Scene<dim>& scene, const PathPoint& point, const NewtonReport& report)
+void RunOutput<dim>::add(const ObservableInput<dim>& scene, const PathPoint& point,
+                         const NewtonReport& report)
 {
   const auto timer = timings.measure("output");
   std::vector<double> row{double(curve->n_rows()), point.load, scene.state.voltage, point.e,
@@ -175,14 +176,14 @@ void Results<dim>::add(const Scene<dim>& scene, const PathPoint& point, const Ne
 }
 
 template <int dim>
-double Results<dim>::abscissa(const Scene<dim>& scene, const double load)
+double RunOutput<dim>::abscissa(const ObservableInput<dim>& scene, const double load)
 {
   return scene.layout.is_transient() ? scene.state.time : load;
 }
 
 template <int dim>
-void Results<dim>::print_step(const Scene<dim>& scene, const PathPoint& point,
-                              const NewtonReport& report)
+void RunOutput<dim>::print_step(const ObservableInput<dim>& scene, const PathPoint& point,
+                                const NewtonReport& report)
 {
   std::ostringstream line;
   line << "  step " << std::setw(3) << curve->n_rows() - 1 << "  load " << std::fixed
@@ -200,7 +201,7 @@ void Results<dim>::print_step(const Scene<dim>& scene, const PathPoint& point,
 }
 
 template <int dim>
-void Results<dim>::finish(const Scene<dim>& scene, Outcome& outcome)
+void RunOutput<dim>::finish(const ObservableInput<dim>& scene, Outcome& outcome)
 {
   outcome.steps = curve->n_rows();
   if (outcome.code == ExitCode::success) {
@@ -228,7 +229,7 @@ void Results<dim>::finish(const Scene<dim>& scene, Outcome& outcome)
   console << "  " << outcome.summary() << "\n" << std::flush;
 }
 
-template class Results<2>;
-template class Results<3>;
+template class RunOutput<2>;
+template class RunOutput<3>;
 
 } // namespace thelma

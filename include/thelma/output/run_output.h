@@ -31,21 +31,21 @@ struct PathPoint {
 /// What a run leaves: lines on the console and, in its folder, the curve, the fields, used.prm and
 /// run.json.
 template <int dim>
-class Results
+class RunOutput
 {
 public:
   /// Takes the names of the observables from @p file, so that they can declare their entries.
-  Results(MPI_Comm comm, const ParameterFile& file, std::string folder, std::ostream& console,
-          Timings& timings);
+  RunOutput(MPI_Comm comm, const ParameterFile& file, std::string folder, std::ostream& console,
+            Timings& timings);
 
   void declare(dealii::ParameterHandler& prm);
 
   /// Expectations are those at @p theta in K.
-  void setup(const Scene<dim>& scene, double theta);
+  void setup(const ObservableInput<dim>& scene, double theta);
 
   /// Whether a run with these @p parameters has already finished in the folder, and none of the
   /// files @p inputs has changed since.
-  bool finished(const std::string& parameters, const std::vector<std::string>& inputs) const;
+  bool is_finished(const std::string& parameters, const std::vector<std::string>& inputs) const;
 
   /// Create the folder with used.prm, a copy of @p parameters, and print what is @p outcome
   /// .modelled. Of a run that is @p continued only what the checkpoint does not know goes.
@@ -73,7 +73,7 @@ public:
     seconds_before = spent - stopwatch.seconds();
   }
 
-  void add(const Scene<dim>& scene, const PathPoint& point, const NewtonReport& report);
+  void add(const ObservableInput<dim>& scene, const PathPoint& point, const NewtonReport& report);
 
   /// Throws InputError, with @p place in the sentence, if no observable has @p column.
   void require_column(const std::string& column, const std::string& place) const
@@ -82,13 +82,13 @@ public:
   }
 
   /// What @p column of an observable is in the present state.
-  double value(const Scene<dim>& scene, const std::string& column)
+  double value(const ObservableInput<dim>& scene, const std::string& column)
   {
     return observed.value(scene, column);
   }
 
   /// Write an eigenvector of the tangent as `mode_0.pvtu`, ...
-  void add_mode(const Scene<dim>& scene, const BlockVector& mode)
+  void add_mode(const ObservableInput<dim>& scene, const BlockVector& mode)
   {
     fields.write_mode(scene, folder, mode);
   }
@@ -97,14 +97,15 @@ public:
   void set_event(const std::string& event) { curve->set_event(event); }
 
   /// Check the expectations, complete @p outcome and write everything.
-  void finish(const Scene<dim>& scene, Outcome& outcome);
+  void finish(const ObservableInput<dim>& scene, Outcome& outcome);
 
 private:
   /// Where the fields of the state stand in the .pvd: time or load.
-  static double abscissa(const Scene<dim>& scene, double load);
+  static double abscissa(const ObservableInput<dim>& scene, double load);
 
   double seconds() const { return seconds_before + stopwatch.seconds(); }
-  void print_step(const Scene<dim>& scene, const PathPoint& point, const NewtonReport& report);
+  void print_step(const ObservableInput<dim>& scene, const PathPoint& point,
+                  const NewtonReport& report);
 
   MPI_Comm comm;
   std::string file_name, folder;
