@@ -59,7 +59,8 @@ void check_name(const std::string& name, const std::map<std::string, std::string
   if (kinds.count(name) == 0) {
     std::vector<std::string> known = observables<dim>().names();
     for (const auto& entry : kinds)
-      known.push_back(entry.first);
+      if (!contains(known, entry.first))
+        known.push_back(entry.first);
     throw InputError("unknown observable '" + name +
                      "', which has no Kind in the section Observables/" + name +
                      did_you_mean(name, known));
@@ -91,7 +92,7 @@ ChosenObservables<dim>::ChosenObservables(const ParameterFile& file)
   add_unlisted(file, distinct);
 }
 
-/// Their sections are known, so that a misspelt name is complained about once.
+/// Their sections are declared too, so that a misspelt name is reported only once.
 template <int dim>
 void ChosenObservables<dim>::add_unlisted(const ParameterFile& file,
                                           const std::vector<std::string>& listed)

@@ -9,7 +9,7 @@ namespace thelma
 struct ObservableName {
   std::string kind, own;
 
-  /// What stands in the parameter file @p entry, for sentences.
+  /// `section Observables/<own>, entry '<entry>'`, with which an InputError begins.
   std::string place(const std::string& entry) const;
 
   /// The name of a column that the kind calls @p of_kind. Under a name of its own an observable

@@ -56,7 +56,7 @@ public:
   /// step, in order.
   virtual std::vector<double> evaluate(const ObservableInput<dim>& scene) = 0;
 
-  /// All that evaluate() remembers of earlier steps, for a checkpoint, and back.
+  /// All that evaluate() remembers of earlier steps, for a checkpoint; restore() takes it back.
   virtual std::vector<double> saved() const { return {}; }
   virtual void restore(const std::vector<double>&) {}
 
