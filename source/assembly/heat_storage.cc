@@ -9,7 +9,7 @@ namespace thelma
 {
 
 template <int dim>
-void HeatStorage<dim>::setup(const FieldLayout<dim>& layout,
+void HeatStorage<dim>::setup(const DofLayout<dim>& layout,
                              const BoundaryConditions<dim>& conditions)
 {
   exists = layout.has(Field::temperature);

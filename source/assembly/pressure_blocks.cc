@@ -9,7 +9,7 @@ namespace thelma
 {
 
 template <int dim>
-PressureBlocks<dim>::PressureBlocks(const FieldLayout<dim>& layout,
+PressureBlocks<dim>::PressureBlocks(const DofLayout<dim>& layout,
                                     const BoundaryConditions<dim>& conditions,
                                     const Formulation<dim>& formulation,
                                     CellElimination elimination)

@@ -24,7 +24,7 @@ double norm(const BlockVector::BlockType& x)
 } // namespace
 
 template <int dim>
-System<dim>::System(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
+System<dim>::System(const DofLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
                     const Loads<dim>& loads, const HeatStorage<dim>& storage, State& state,
                     Timings& timings)
     : layout(layout), conditions(conditions), loads(loads), storage(storage), state(state),

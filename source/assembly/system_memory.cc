@@ -9,7 +9,8 @@
 namespace thelma
 {
 
-/// As many numbers for every point of every rank, so that MeshOrder can hand them to other ranks.
+/// As many numbers for every point of every rank, so that PartitionIndependentOrder can hand them
+/// to other ranks.
 template <int dim>
 void System<dim>::keep_memory()
 {

@@ -16,7 +16,7 @@ namespace
 
 /// Longest over shortest edge of a cell, on average.
 template <int dim>
-double flatness(const FieldLayout<dim>& layout)
+double flatness(const DofLayout<dim>& layout)
 {
   double sum = 0.;
   for (const Cell<dim>& cell : layout.cells()) {
@@ -63,7 +63,7 @@ void System<dim>::keep_pressures()
   pressures = std::make_unique<PressureBlocks<dim>>(
       layout, conditions, *formulation,
       [this](const std::size_t cell) { return elimination(cell); });
-  corner_grids = std::make_unique<CornerGrids<dim>>(layout, conditions, state);
+  corner_grids = std::make_unique<P1CoarseSpaces<dim>>(layout, conditions, state);
   release_memory();
 }
 

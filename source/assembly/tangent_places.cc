@@ -62,7 +62,7 @@ private:
 } // namespace
 
 template <int dim>
-void TangentMatrix<dim>::setup(const FieldLayout<dim>& layout,
+void TangentMatrix<dim>::setup(const DofLayout<dim>& layout,
                                const BoundaryConditions<dim>& conditions, Coupling pairs)
 {
   constraints = &conditions.constraints();
@@ -97,7 +97,7 @@ std::vector<bool> TangentMatrix<dim>::free_unknowns(const Cell<dim>& cell) const
 }
 
 template <int dim>
-void TangentMatrix<dim>::make_pattern(const FieldLayout<dim>& layout)
+void TangentMatrix<dim>::make_pattern(const DofLayout<dim>& layout)
 {
   dealii::BlockDynamicSparsityPattern pattern(layout.relevant());
   std::vector<dealii::types::global_dof_index> row;
@@ -138,7 +138,7 @@ double* TangentMatrix<dim>::entry(const dealii::types::global_dof_index row,
 }
 
 template <int dim>
-void TangentMatrix<dim>::find_places(const FieldLayout<dim>& layout)
+void TangentMatrix<dim>::find_places(const DofLayout<dim>& layout)
 {
   const dealii::IndexSet owned = layout.dof_handler().locally_owned_dofs();
   const std::size_t n_blocks = tangent.n_block_rows();
@@ -181,10 +181,8 @@ void TangentMatrix<dim>::find_places(const FieldLayout<dim>& layout)
   fixed_diagonals.assign(diagonals.begin(), diagonals.end());
 }
 
-template void TangentMatrix<2>::setup(const FieldLayout<2>&, const BoundaryConditions<2>&,
-                                      Coupling);
-template void TangentMatrix<3>::setup(const FieldLayout<3>&, const BoundaryConditions<3>&,
-                                      Coupling);
+template void TangentMatrix<2>::setup(const DofLayout<2>&, const BoundaryConditions<2>&, Coupling);
+template void TangentMatrix<3>::setup(const DofLayout<3>&, const BoundaryConditions<3>&, Coupling);
 template double* TangentMatrix<2>::entry(dealii::types::global_dof_index,
                                          dealii::types::global_dof_index);
 template double* TangentMatrix<3>::entry(dealii::types::global_dof_index,

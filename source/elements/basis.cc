@@ -22,7 +22,7 @@ Basis<dim>::Basis(const dealii::FiniteElement<dim>& scalar, const dealii::Quadra
 }
 
 template <int dim>
-Integration<dim>::Integration(const FieldLayout<dim>& layout, const unsigned int n_points,
+Integration<dim>::Integration(const DofLayout<dim>& layout, const unsigned int n_points,
                               const unsigned int n_enhanced)
     : rule(dealii::QGauss<dim>(n_points)), shape(layout.scalar_element(), rule, n_enhanced)
 {

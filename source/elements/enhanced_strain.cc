@@ -22,7 +22,7 @@ template <int dim>
 class EnhancedStrain final : public PressureDilatation<dim>
 {
 public:
-  void setup(const FieldLayout<dim>& layout) override
+  void setup(const DofLayout<dim>& layout) override
   {
     if (layout.degree() != 1)
       throw InputError("section Discretisation, entry 'Formulation': 'enhanced strain' improves "

@@ -11,7 +11,7 @@ template <int dim>
 class MeanDilatation final : public PressureDilatation<dim>
 {
 public:
-  void setup(const FieldLayout<dim>& layout) override
+  void setup(const DofLayout<dim>& layout) override
   {
     const unsigned int n_points = layout.degree() + 1, n_modes = layout.degree() == 1 ? 1 : dim + 1;
     this->use(layout, n_points, this->polynomials(n_points, n_modes), n_modes);

@@ -85,7 +85,7 @@ struct PressureDilatation<dim>::Local {
 };
 
 template <int dim>
-void PressureDilatation<dim>::use(const FieldLayout<dim>& layout, const unsigned int n_points,
+void PressureDilatation<dim>::use(const DofLayout<dim>& layout, const unsigned int n_points,
                                   const std::vector<Modes>& values, const unsigned int n,
                                   const unsigned int n_enhanced)
 {

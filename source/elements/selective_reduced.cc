@@ -16,7 +16,7 @@ template <int dim>
 class SelectiveReduced final : public PressureDilatation<dim>
 {
 public:
-  void setup(const FieldLayout<dim>& layout) override
+  void setup(const DofLayout<dim>& layout) override
   {
     const unsigned int n_points = layout.degree(), n_modes = this->points(n_points).size();
     std::vector<Modes> modes(n_modes, Modes{});

@@ -12,7 +12,7 @@ template <int dim>
 class Standard final : public Formulation<dim>
 {
 public:
-  void setup(const FieldLayout<dim>& layout) override { full.emplace(layout, layout.degree() + 1); }
+  void setup(const DofLayout<dim>& layout) override { full.emplace(layout, layout.degree() + 1); }
 
   void residual(const CellView<dim>& view, CellResult& result) const override
   {

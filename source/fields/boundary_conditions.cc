@@ -45,7 +45,7 @@ void BoundaryConditions<dim>::declare(dealii::ParameterHandler& prm)
                       Map(Anything(), Anything(), 0, 100));
     check_values(prm, "Moved", [](const std::string& text) { parse_move<dim>(text); });
   }
-  plates.declare(prm);
+  electrode_set.declare(prm);
   const Section section(prm, {"Temperature"});
   add_quantity(prm, "Fixed", temperatures,
                "Temperatures of surfaces, as `inner: 353`; only for a temperature field.",
@@ -53,13 +53,13 @@ void BoundaryConditions<dim>::declare(dealii::ParameterHandler& prm)
 }
 
 template <int dim>
-void BoundaryConditions<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout)
+void BoundaryConditions<dim>::setup(const Mesh<dim>& mesh, const DofLayout<dim>& layout)
 {
   InputErrors errors;
   const bool has_supports = errors.collect([&]() { fix_supports(mesh, layout); });
   if (errors.collect([&]() { fix_moved_supports(mesh, layout); }) && has_supports)
     errors.collect([&]() { require_held(mesh); });
-  errors.collect([&]() { plates.setup(mesh, layout); });
+  errors.collect([&]() { electrode_set.setup(mesh, layout); });
   errors.collect([&]() { fix_temperatures(mesh, layout); });
   errors.raise();
   collect_driven();
@@ -78,7 +78,7 @@ void BoundaryConditions<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim
 }
 
 template <int dim>
-void BoundaryConditions<dim>::fix(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
+void BoundaryConditions<dim>::fix(const Mesh<dim>& mesh, const DofLayout<dim>& layout,
                                   const std::string& surface, const std::string& place,
                                   const unsigned int component, const double value, Values& values)
 {
@@ -90,7 +90,7 @@ void BoundaryConditions<dim>::fix(const Mesh<dim>& mesh, const FieldLayout<dim>&
 }
 
 template <int dim>
-void BoundaryConditions<dim>::fix_supports(const Mesh<dim>& mesh, const FieldLayout<dim>& layout)
+void BoundaryConditions<dim>::fix_supports(const Mesh<dim>& mesh, const DofLayout<dim>& layout)
 {
   const std::string place = "section Supports, entry 'Fixed'";
   InputErrors errors;
@@ -121,7 +121,7 @@ void BoundaryConditions<dim>::require_held(const Mesh<dim>& mesh) const
 
 template <int dim>
 void BoundaryConditions<dim>::fix_moved_supports(const Mesh<dim>& mesh,
-                                                 const FieldLayout<dim>& layout)
+                                                 const DofLayout<dim>& layout)
 {
   const std::string place = "section Supports, entry 'Moved'";
   for (const auto& [surface, text] : moved_supports) {
@@ -165,20 +165,19 @@ void BoundaryConditions<dim>::collect_driven()
 template <int dim>
 void BoundaryConditions<dim>::disconnect(const std::string& name, const double charge)
 {
-  plates.disconnect(name, charge);
+  electrode_set.disconnect(name, charge);
   collect_driven();
 }
 
 template <int dim>
 void BoundaryConditions<dim>::connect(const std::string& name)
 {
-  plates.connect(name);
+  electrode_set.connect(name);
   collect_driven();
 }
 
 template <int dim>
-void BoundaryConditions<dim>::fix_temperatures(const Mesh<dim>& mesh,
-                                               const FieldLayout<dim>& layout)
+void BoundaryConditions<dim>::fix_temperatures(const Mesh<dim>& mesh, const DofLayout<dim>& layout)
 {
   const std::string place = "section Temperature, entry 'Fixed'";
   if (!layout.has(Field::temperature) && !temperatures.empty())
@@ -197,7 +196,7 @@ void BoundaryConditions<dim>::hold_supports(BlockVector& x) const
 }
 
 template <int dim>
-dealii::types::global_dof_index BoundaryConditions<dim>::n_free(const FieldLayout<dim>& layout,
+dealii::types::global_dof_index BoundaryConditions<dim>::n_free(const DofLayout<dim>& layout,
                                                                 const Field field) const
 {
   dealii::types::global_dof_index begin = 0;

@@ -11,7 +11,7 @@ namespace thelma
 
 /// The rule of p + 1 points integrates eq. (57) exactly on faces that are polynomials of degree p.
 template <int dim>
-void DeformedSurface<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
+void DeformedSurface<dim>::setup(const Mesh<dim>& mesh, const DofLayout<dim>& layout,
                                  const std::string& name, const std::string& place)
 {
   using namespace dealii;
@@ -68,7 +68,7 @@ typename DeformedSurface<dim>::Point DeformedSurface<dim>::deform(const Face& fa
 }
 
 template <int dim>
-double DeformedSurface<dim>::own_volume(const FieldLayout<dim>& layout, const BlockVector& x) const
+double DeformedSurface<dim>::own_volume(const DofLayout<dim>& layout, const BlockVector& x) const
 {
   double volume = 0.;
   visit(layout, x, [&](const Face&, const std::vector<Point>& deformed) {

@@ -64,7 +64,7 @@ void Electrodes<dim>::declare(dealii::ParameterHandler& prm)
 }
 
 template <int dim>
-void Electrodes<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout)
+void Electrodes<dim>::setup(const Mesh<dim>& mesh, const DofLayout<dim>& layout)
 {
   const std::string place = "section Electrodes, entry 'Potential'";
   if (!layout.has(Field::potential)) {
@@ -94,8 +94,8 @@ void Electrodes<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layou
 }
 
 template <int dim>
-void Electrodes<dim>::add(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
-                          Electrode electrode, const std::string& place)
+void Electrodes<dim>::add(const Mesh<dim>& mesh, const DofLayout<dim>& layout, Electrode electrode,
+                          const std::string& place)
 {
   const auto dofs =
       dofs_on(mesh, layout, electrode.name, place, layout[Field::potential].component);
@@ -184,7 +184,7 @@ void Electrodes<dim>::connect(const std::string& name)
 }
 
 template <int dim>
-double potential(const Electrode& electrode, const FieldLayout<dim>& layout, const BlockVector& x)
+double potential(const Electrode& electrode, const DofLayout<dim>& layout, const BlockVector& x)
 {
   const auto dof = electrode.dofs.front();
   const double own = layout.dof_handler().locally_owned_dofs().is_element(dof) ? x(dof) : 0.;
@@ -193,7 +193,7 @@ double potential(const Electrode& electrode, const FieldLayout<dim>& layout, con
 
 template class Electrodes<2>;
 template class Electrodes<3>;
-template double potential(const Electrode&, const FieldLayout<2>&, const BlockVector&);
-template double potential(const Electrode&, const FieldLayout<3>&, const BlockVector&);
+template double potential(const Electrode&, const DofLayout<2>&, const BlockVector&);
+template double potential(const Electrode&, const DofLayout<3>&, const BlockVector&);
 
 } // namespace thelma

@@ -34,7 +34,7 @@ bool lies_on(const dealii::Point<dim>& p, const std::uint8_t mask)
 
 template <int dim>
 std::set<dealii::types::global_dof_index>
-dofs_on(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string& surface,
+dofs_on(const Mesh<dim>& mesh, const DofLayout<dim>& layout, const std::string& surface,
         const std::string& place, const unsigned int component)
 {
   const auto& points = layout.scalar_element().get_unit_support_points();
@@ -84,11 +84,9 @@ std::vector<unsigned int> components_named(const std::string& text)
 
 template std::vector<unsigned int> components_named<2>(const std::string&);
 template std::vector<unsigned int> components_named<3>(const std::string&);
-template std::set<dealii::types::global_dof_index> dofs_on(const Mesh<2>&, const FieldLayout<2>&,
-                                                           const std::string&, const std::string&,
-                                                           unsigned int);
-template std::set<dealii::types::global_dof_index> dofs_on(const Mesh<3>&, const FieldLayout<3>&,
-                                                           const std::string&, const std::string&,
-                                                           unsigned int);
+template std::set<dealii::types::global_dof_index>
+dofs_on(const Mesh<2>&, const DofLayout<2>&, const std::string&, const std::string&, unsigned int);
+template std::set<dealii::types::global_dof_index>
+dofs_on(const Mesh<3>&, const DofLayout<3>&, const std::string&, const std::string&, unsigned int);
 
 } // namespace thelma

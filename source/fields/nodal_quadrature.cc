@@ -6,7 +6,7 @@ namespace thelma
 {
 
 template <int dim>
-void add_nodal_integrals(const FieldLayout<dim>& layout, const Field field,
+void add_nodal_integrals(const DofLayout<dim>& layout, const Field field,
                          const std::function<double(const Cell<dim>&)>& density, BlockVector& nodal)
 {
   dealii::FEValues<dim> values(layout.mapping(), layout.scalar_element(),
@@ -22,9 +22,9 @@ void add_nodal_integrals(const FieldLayout<dim>& layout, const Field field,
   }
 }
 
-template void add_nodal_integrals(const FieldLayout<2>&, Field,
+template void add_nodal_integrals(const DofLayout<2>&, Field,
                                   const std::function<double(const Cell<2>&)>&, BlockVector&);
-template void add_nodal_integrals(const FieldLayout<3>&, Field,
+template void add_nodal_integrals(const DofLayout<3>&, Field,
                                   const std::function<double(const Cell<3>&)>&, BlockVector&);
 
 } // namespace thelma

@@ -2,8 +2,8 @@
 #include <thelma/base/parameters.h>
 #include <thelma/base/quantity.h>
 #include <thelma/fields/nodal_quadrature.h>
+#include <thelma/loads/heat_load.h>
 #include <thelma/loads/load_list.h>
-#include <thelma/loads/warming.h>
 
 #include <map>
 #include <utility>
@@ -63,7 +63,7 @@ public:
   void check_level(const double time, const double level) const override
   {
     for (const auto& [name, temperature] : surroundings)
-      check_warming(theta, temperature, time, level);
+      check_wall_temperature(theta, temperature, time, level);
   }
 
   void add_forces(const double factor, const double level, const State& state, const BlockVector& x,

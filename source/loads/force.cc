@@ -91,7 +91,7 @@ public:
   }
 
 private:
-  void add(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string& surface,
+  void add(const Mesh<dim>& mesh, const DofLayout<dim>& layout, const std::string& surface,
            const dealii::Tensor<1, dim>& force)
   {
     BlockVector shares = layout.new_vector();

@@ -58,7 +58,7 @@ std::vector<std::vector<unsigned int>> corners_of_edges(const std::uint8_t verti
 
 /// The edges of all faces of the named surface on own cells, one after the other.
 template <int dim>
-std::vector<Edge<dim>> own_edges(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
+std::vector<Edge<dim>> own_edges(const Mesh<dim>& mesh, const DofLayout<dim>& layout,
                                  const BoundaryConditions<dim>& conditions, const std::string& name,
                                  const std::string& place)
 {
@@ -87,7 +87,7 @@ std::vector<Edge<dim>> own_edges(const Mesh<dim>& mesh, const FieldLayout<dim>& 
 
 /// The edges of the named surface, those of only one of its faces, on all ranks.
 template <int dim>
-std::set<Edge<dim>> edges_of(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
+std::set<Edge<dim>> edges_of(const Mesh<dim>& mesh, const DofLayout<dim>& layout,
                              const BoundaryConditions<dim>& conditions, const std::string& name,
                              const std::string& place)
 {
@@ -124,7 +124,7 @@ bool has_potential(const Edge<dim>& edge)
 } // namespace
 
 template <int dim>
-void check_edges(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
+void check_edges(const Mesh<dim>& mesh, const DofLayout<dim>& layout,
                  const BoundaryConditions<dim>& conditions, const std::string& name,
                  const std::string& place)
 {
@@ -136,9 +136,9 @@ void check_edges(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
                        "symmetry plane");
 }
 
-template void check_edges(const Mesh<2>&, const FieldLayout<2>&, const BoundaryConditions<2>&,
+template void check_edges(const Mesh<2>&, const DofLayout<2>&, const BoundaryConditions<2>&,
                           const std::string&, const std::string&);
-template void check_edges(const Mesh<3>&, const FieldLayout<3>&, const BoundaryConditions<3>&,
+template void check_edges(const Mesh<3>&, const DofLayout<3>&, const BoundaryConditions<3>&,
                           const std::string&, const std::string&);
 
 } // namespace thelma

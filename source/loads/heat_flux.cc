@@ -1,8 +1,8 @@
 #include <thelma/base/parameters.h>
 #include <thelma/base/quantity.h>
 #include <thelma/fields/nodal_quadrature.h>
+#include <thelma/loads/heat_load.h>
 #include <thelma/loads/load_list.h>
-#include <thelma/loads/warming.h>
 
 #include <map>
 

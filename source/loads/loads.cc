@@ -108,7 +108,7 @@ void Loads<dim>::add_tangent(const State& state, const Counts& counts,
 }
 
 template <int dim>
-HeatInflow Loads<dim>::heat_inflow(const FieldLayout<dim>& layout, const State& state) const
+HeatInflow Loads<dim>::heat_inflow(const DofLayout<dim>& layout, const State& state) const
 {
   BlockVector flows = layout.new_vector();
   add_forces(

@@ -102,7 +102,7 @@ private:
   }
 
   std::map<std::string, double> values;
-  const FieldLayout<dim>* layout = nullptr;
+  const DofLayout<dim>* layout = nullptr;
   std::vector<Loaded> surfaces;
 };
 

@@ -37,7 +37,7 @@ public:
   }
 
 private:
-  const FieldLayout<dim>* layout = nullptr;
+  const DofLayout<dim>* layout = nullptr;
   double start = 293., end = 293.; ///< K
 };
 

@@ -97,7 +97,7 @@ private:
                          "' would jump to it; disconnect '" + other.name + "' before");
   }
 
-  const FieldLayout<dim>* layout = nullptr;
+  const DofLayout<dim>* layout = nullptr;
   const BoundaryConditions<dim>* conditions = nullptr;
   double target = 0., field = 0.; ///< kV, e
 };

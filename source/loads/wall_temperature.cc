@@ -1,6 +1,6 @@
+#include <thelma/loads/heat_load.h>
 #include <thelma/loads/load_list.h>
 #include <thelma/loads/prescribed.h>
-#include <thelma/loads/warming.h>
 
 namespace thelma
 {
@@ -29,7 +29,7 @@ public:
   void check_level(const double time, const double level) const override
   {
     for (const auto& [unknown, wall] : conditions->heated())
-      check_warming(theta, wall, time, level);
+      check_wall_temperature(theta, wall, time, level);
   }
 
   void prescribe(State& state) const override

@@ -1,6 +1,6 @@
 #include <thelma/base/error.h>
 #include <thelma/materials/library.h>
-#include <thelma/materials/list.h>
+#include <thelma/materials/material_list.h>
 
 namespace thelma
 {

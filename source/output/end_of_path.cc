@@ -18,7 +18,7 @@ namespace
 /// Of the cells whose amplitudes are the largest, the one nearest to the origin on an oblique
 /// plane: the same on any number of ranks.
 template <int dim>
-dealii::Point<dim> place_of_largest(const FieldLayout<dim>& layout,
+dealii::Point<dim> place_of_largest(const DofLayout<dim>& layout,
                                     const std::vector<double>& amplitudes)
 {
   constexpr double as_large = 1. - 1e-4, oblique[3] = {1., 0.4, 0.7};
@@ -49,7 +49,7 @@ dealii::Point<dim> place_of_largest(const FieldLayout<dim>& layout,
 } // namespace
 
 template <int dim>
-std::string describe_mode(const FieldLayout<dim>& layout, BlockVector& mode)
+std::string describe_mode(const DofLayout<dim>& layout, BlockVector& mode)
 {
   std::vector<double> amplitudes, values, own(dim, 0.), components(dim);
   mode.update_ghost_values();
@@ -76,7 +76,7 @@ std::string describe_mode(const FieldLayout<dim>& layout, BlockVector& mode)
 }
 
 template <int dim>
-double part_within_cells(const FieldLayout<dim>& layout, BlockVector& mode)
+double part_within_cells(const DofLayout<dim>& layout, BlockVector& mode)
 {
   const Integration<dim> rule(layout, layout.degree() + 1);
   std::vector<double> values, own(2, 0.), squares(2); // of the gradient, of its means
@@ -133,10 +133,10 @@ std::string describe_field(const ObservableInput<dim>& scene)
   return text.str();
 }
 
-template std::string describe_mode(const FieldLayout<2>&, BlockVector&);
-template std::string describe_mode(const FieldLayout<3>&, BlockVector&);
-template double part_within_cells(const FieldLayout<2>&, BlockVector&);
-template double part_within_cells(const FieldLayout<3>&, BlockVector&);
+template std::string describe_mode(const DofLayout<2>&, BlockVector&);
+template std::string describe_mode(const DofLayout<3>&, BlockVector&);
+template double part_within_cells(const DofLayout<2>&, BlockVector&);
+template double part_within_cells(const DofLayout<3>&, BlockVector&);
 template std::string describe_field(const ObservableInput<2>&);
 template std::string describe_field(const ObservableInput<3>&);
 

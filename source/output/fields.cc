@@ -135,7 +135,7 @@ private:
 
 /// Names and kinds of the solution's own components.
 template <int dim>
-void describe(const FieldLayout<dim>& layout, std::vector<std::string>& names,
+void describe(const DofLayout<dim>& layout, std::vector<std::string>& names,
               std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation>& kinds)
 {
   names.assign(dim, "u");

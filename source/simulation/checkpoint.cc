@@ -1,6 +1,6 @@
 #include <thelma/base/error.h>
 #include <thelma/base/version.h>
-#include <thelma/fields/mesh_order.h>
+#include <thelma/fields/partition_independent_order.h>
 #include <thelma/simulation/checkpoint.h>
 
 #include <boost/archive/binary_iarchive.hpp>
@@ -71,7 +71,7 @@ std::string Checkpoint<dim>::content()
     const std::uint32_t body = model.mesh.fingerprint();
     archive << by << scene << body;
     serialize(archive);
-    const MeshOrder<dim> order(model.layout);
+    const PartitionIndependentOrder<dim> order(model.layout);
     const std::size_t n = model.state.path().size();
     archive << n;
     for (const State::Accepted& accepted : model.state.path()) {
@@ -116,7 +116,7 @@ bool Checkpoint<dim>::restore(const std::string& content, const bool if_it_fits)
     if (!complaint.empty())
       throw InputError(complaint);
     serialize(archive);
-    const MeshOrder<dim> order(model.layout);
+    const PartitionIndependentOrder<dim> order(model.layout);
     std::size_t n = 0;
     archive >> n;
     std::vector<State::Accepted> path;

@@ -30,9 +30,9 @@ void Verdict<dim>::on_load_steps(const std::size_t index)
                                               ramp.level(index, control.failed()));
   model.system.load_along(&strategies.ramp);
   const double resolution = model.loading.resolution();
-  ExaminedEnd end =
-      examine_end(model.system, model.state, steps.last_failure().refusal, control.failed(),
-                  control.failed() + std::max(10. * resolution, 2. * model.state.recent_span()));
+  ClassifiedEnd end =
+      classify_end(model.system, model.state, steps.last_failure().refusal, control.failed(),
+                   control.failed() + std::max(10. * resolution, 2. * model.state.recent_span()));
   switch (end.ending) {
   case PathEnding::limit_point:
     return on_limit(index, end.limit, between);

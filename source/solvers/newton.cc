@@ -25,16 +25,16 @@ void Newton::declare(dealii::ParameterHandler& prm)
 }
 
 /// The first correction by a new tangent does not tell how well it will serve the next. Near the
-/// solution that is tried once, if a tangent comes dear; farther off an old tangent may lead astray
-/// in soft directions, which the residual shows late: it falls by turns in stiff and in soft ones,
-/// so that two corrections tell its rate.
+/// solution that is tried once, if factorising is expensive; farther off an old tangent may lead
+/// astray in soft directions, which the residual shows late: it falls by turns in stiff and in soft
+/// ones, so that two corrections tell its rate.
 bool Newton::worth_reusing(const NewtonReport& report, const LinearReport& linear) const
 {
-  constexpr double steady = 0.5, near = 3e-4, dear = 2.5, most = 5.; // corrections
+  constexpr double steady = 0.5, near = 3e-4, expensive = 2.5, most = 5.; // corrections
   if (!reuses)
     return false;
   const auto r = report.residuals.rbegin();
-  const bool tries = r[0] < near && report.factorisations <= 1 && linear.cost > dear;
+  const bool tries = r[0] < near && report.factorisations <= 1 && linear.cost > expensive;
   if (tries && linear.factorised)
     return true;
   const double rate = tries && report.residuals.size() > 2 ? std::sqrt(r[0] / r[2]) : r[0] / r[1];

@@ -34,7 +34,7 @@ void ArcLength<dim>::declare(dealii::ParameterHandler& prm)
 }
 
 template <int dim>
-void ArcLength<dim>::setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
+void ArcLength<dim>::setup(const Mesh<dim>& mesh, const DofLayout<dim>& layout,
                            const BoundaryConditions<dim>& conditions)
 {
   const std::string place = "section Stepping, entry 'Controlled displacement'";
@@ -75,12 +75,12 @@ void ArcLength<dim>::start()
   here = {};
   n_steps = 0;
   system.set_load(state.accepted_load());
-  if (!path.examine(path.across_load(system.load()), here)) {
+  if (!path.refine_and_count(path.across_load(system.load()), here)) {
     ended = StepsEnd::exhausted;
     return;
   }
   path.choose_metric();
-  if (!path.examine(path.across_load(system.load()), here)) { // in that metric
+  if (!path.refine_and_count(path.across_load(system.load()), here)) { // in that metric
     ended = StepsEnd::exhausted;
     return;
   }
@@ -107,18 +107,18 @@ StepReport ArcLength<dim>::advance()
       path.predict(stepper.step()) ? path.solve(path.across(from)) : std::nullopt;
   next = found.value_or(PathState());
   is_hiding = false;
-  const double surprise = predictor.surprise();
+  const double prediction_error = predictor.prediction_error();
   if (!found)
     return next;
-  if (surprise >= 1.) {
+  if (prediction_error >= 1.) {
     next.newton.refuse(Refusal::jump, "the state found is not the continuation of the path");
     path.fail(next.newton.reason);
     return next;
   }
   const double rest = path.length(state.x.block(0), next.load);
   state.accept(next.load);
-  predictor.adapt(surprise);
-  stepper.accept(newton.telling_iterations(next.newton), surprise,
+  predictor.adapt(prediction_error);
+  stepper.accept(newton.telling_iterations(next.newton), prediction_error,
                  std::min(0.3 * rest, aim.largest_step / std::abs(next.slope)));
   next.next_step = stepper.step();
   is_hiding = !find_events(path, state, here, next, events);

@@ -40,7 +40,7 @@ void LoadStepper::start(const double bracket, const double first_step)
 double LoadStepper::next()
 {
   if (upper >= no_failure) {
-    // Towards a limit the path announces, and past it only from next to it: failures are dear.
+    // Towards a limit the path announces, and past it only from next to it: failures are expensive.
     const double ahead = expected_limit - load;
     const double step = ahead > 0. ? std::min(size, std::max(0.7 * ahead, resolution)) : size;
     const double left = 1. - load, n_steps = std::ceil(left / step * (1. - 1e-12));

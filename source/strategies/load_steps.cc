@@ -57,7 +57,7 @@ StepReport LoadSteps<dim>::advance()
   }
   path->go_to(step.load);
   step.newton = equilibrium.find(system);
-  surprise = predictor.surprise();
+  prediction_error = predictor.prediction_error();
   if (step.newton.converged && jumps(step.newton))
     step.newton.refuse(Refusal::jump, "the state found is not the continuation of the path");
   spent.newton.add(step.newton);
@@ -69,7 +69,7 @@ StepReport LoadSteps<dim>::advance()
 template <int dim>
 void LoadSteps<dim>::accept(const StepReport& step, Recorder& recorder)
 {
-  predictor.adapt(surprise);
+  predictor.adapt(prediction_error);
   state.accept(step.load);
   stepper.accept(equilibrium.solver().telling_iterations(step.newton), state.estimated_limit());
   StepReport now = step;
@@ -118,12 +118,12 @@ bool LoadSteps<dim>::jumps(NewtonReport& report)
   if (state.path().size() < 2)
     return false; // no path yet
   if (!system.knows_stability())
-    return surprise > 1. && !stepper.finest();
+    return prediction_error > 1. && !stepper.finest();
   const long long most =
       std::max(state.unstable_directions, system.unstable_directions(report.negative_pivots));
   const bool passed_less_stable =
       system.is_symmetric() && system.unstable_directions(report.most_negative_pivots) > most;
-  if (surprise < trusted && !passed_less_stable)
+  if (prediction_error < trusted && !passed_less_stable)
     return false;
   const bool has_ridge = is_beyond_ridge(system, state, predictor, most, report);
   system.residual(); // for the reactions

@@ -44,11 +44,11 @@ double turning_load(System<dim>& system, State& state)
 } // namespace
 
 template <int dim>
-ExaminedEnd examine_end(System<dim>& system, State& state, const Refusal refusal,
-                        const double failed, const double farthest)
+ClassifiedEnd classify_end(System<dim>& system, State& state, const Refusal refusal,
+                           const double failed, const double farthest)
 {
   constexpr double negligible = 0.5, all = 0.95;
-  ExaminedEnd end;
+  ClassifiedEnd end;
   end.limit = turning_load(system, state);
   const bool turns = end.limit < farthest;
   if (turns)
@@ -67,7 +67,7 @@ ExaminedEnd examine_end(System<dim>& system, State& state, const Refusal refusal
   return end;
 }
 
-template ExaminedEnd examine_end(System<2>&, State&, Refusal, double, double);
-template ExaminedEnd examine_end(System<3>&, State&, Refusal, double, double);
+template ClassifiedEnd classify_end(System<2>&, State&, Refusal, double, double);
+template ClassifiedEnd classify_end(System<3>&, State&, Refusal, double, double);
 
 } // namespace thelma

@@ -56,7 +56,7 @@ bool PathSolver<dim>::predict(const double step)
 {
   if (state.path().size() > 1) {
     const std::vector<double> arc = arc_lengths();
-    system.set_load(predictor.predict_along(arc, arc.back() + step, metric));
+    system.set_load(predictor.extrapolate_along(arc, arc.back() + step, metric));
     return true;
   }
   system.residual();
@@ -81,14 +81,14 @@ typename PathSolver<dim>::Solution PathSolver<dim>::solve(const Plane& plane)
   failure = found.newton.reason;
   if (!found.newton.converged)
     return {};
-  return examine(plane, found) ? Solution(found) : Solution();
+  return refine_and_count(plane, found) ? Solution(found) : Solution();
 }
 
 /// What is counted is the state with the stabilisation that it needs itself, not the one of its
 /// guess. Near a bifurcation noise hardly shows in the residual: the fresh tangent also corrects
 /// once more, unless it is so near that this itself makes noise.
 template <int dim>
-bool PathSolver<dim>::examine(const Plane& plane, PathState& found)
+bool PathSolver<dim>::refine_and_count(const Plane& plane, PathState& found)
 {
   constexpr double noise = 10.; // more than rounding changes a residual
   BorderedSystem bordered(system, plane);
@@ -132,8 +132,8 @@ typename PathSolver<dim>::Solution PathSolver<dim>::at_load(const double load)
   const std::vector<double> arc = arc_lengths();
   const State::Accepted &last = path.back(), &before = path[path.size() - 2];
   const double part = (load - before.load) / (last.load - before.load);
-  predictor.predict_along(arc, arc[arc.size() - 2] + part * (arc.back() - arc[arc.size() - 2]),
-                          metric);
+  predictor.extrapolate_along(arc, arc[arc.size() - 2] + part * (arc.back() - arc[arc.size() - 2]),
+                              metric);
   system.set_load(load);
   return solve(across_load(load));
 }
@@ -146,7 +146,7 @@ typename PathSolver<dim>::Solution PathSolver<dim>::between(const double arc)
   state.x = last.x;
   system.set_load(last.load);
   Plane plane = across(before);
-  system.set_load(predictor.predict_along(arc_lengths(), arc, metric));
+  system.set_load(predictor.extrapolate_along(arc_lengths(), arc, metric));
   plane.value += plane.excess(system);
   Solution found = solve(plane);
   if (found)
@@ -187,7 +187,7 @@ void PathSolver<dim>::go_to(const State::Accepted& at)
 template <int dim>
 void PathSolver<dim>::start_at(const double arc)
 {
-  system.set_load(predictor.predict_along(arc_lengths(), arc, metric));
+  system.set_load(predictor.extrapolate_along(arc_lengths(), arc, metric));
   state.start(system.load());
 }
 

@@ -93,8 +93,8 @@ void Predictor<dim>::predict(const double load, const LoadSymmetry symmetry)
 }
 
 template <int dim>
-double Predictor<dim>::predict_along(const std::vector<double>& places, const double place,
-                                     const PathMetric& metric)
+double Predictor<dim>::extrapolate_along(const std::vector<double>& places, const double place,
+                                         const PathMetric& metric)
 {
   return extrapolate(supports(places, place), place, Parity::none, &metric);
 }
@@ -196,7 +196,7 @@ void Predictor<dim>::follow_cells(const std::vector<State::Accepted>& path,
 }
 
 template <int dim>
-double Predictor<dim>::surprise() const
+double Predictor<dim>::prediction_error() const
 {
   if (state.path().size() < 2)
     return 0.; // nothing was foretold
@@ -208,10 +208,10 @@ double Predictor<dim>::surprise() const
 }
 
 template <int dim>
-void Predictor<dim>::adapt(const double surprise)
+void Predictor<dim>::adapt(const double prediction_error)
 {
   constexpr double trusted = 0.3;
-  order = surprise > trusted ? 1 : std::min(order + 1, highest_order);
+  order = prediction_error > trusted ? 1 : std::min(order + 1, highest_order);
 }
 
 template class Predictor<2>;

@@ -18,7 +18,7 @@ struct Moment {
 /// The temperature at one moment less the polynomial through others: root mean square over the
 /// nodes (K), nothing where it is prescribed, as at walls that jump.
 template <int dim>
-double distance(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
+double distance(const DofLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
                 const Moment& moment, const std::vector<Moment>& others)
 {
   BlockVector difference = *moment.x;
@@ -38,7 +38,7 @@ double distance(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& c
 } // namespace
 
 template <int dim>
-std::optional<StepError> temperature_error(const FieldLayout<dim>& layout,
+std::optional<StepError> temperature_error(const DofLayout<dim>& layout,
                                            const BoundaryConditions<dim>& conditions,
                                            const State& state, const unsigned int order,
                                            const std::optional<State::Accepted>& longer)
@@ -66,11 +66,11 @@ std::optional<StepError> temperature_error(const FieldLayout<dim>& layout,
                    possible};
 }
 
-template std::optional<StepError> temperature_error(const FieldLayout<2>&,
+template std::optional<StepError> temperature_error(const DofLayout<2>&,
                                                     const BoundaryConditions<2>&, const State&,
                                                     unsigned int,
                                                     const std::optional<State::Accepted>&);
-template std::optional<StepError> temperature_error(const FieldLayout<3>&,
+template std::optional<StepError> temperature_error(const DofLayout<3>&,
                                                     const BoundaryConditions<3>&, const State&,
                                                     unsigned int,
                                                     const std::optional<State::Accepted>&);

@@ -172,14 +172,14 @@ bool TimeSteps<dim>::loads_jump() const
 template <int dim>
 void TimeSteps<dim>::accept(const StepReport& step, Recorder& recorder)
 {
-  const double surprise = predictor.surprise();
+  const double prediction_error = predictor.prediction_error();
   stepper.accept(step_error);
   parts = 1;
   if (has_heat())
     state.inflow = heated.heat_inflow();
   accepted_levels = loads.levels();
   state.accept(state.time);
-  predictor.adapt(surprise);
+  predictor.adapt(prediction_error);
   StepReport now = step;
   now.next_step = stepper.step();
   now.part = state.time / final_time();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <thelma/fields/boundary_conditions.h>
-#include <thelma/fields/layout.h>
+#include <thelma/fields/dof_layout.h>
 #include <thelma/solvers/linear_solver.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -19,7 +19,7 @@ template <int dim>
 class FloatingElectrodes
 {
 public:
-  FloatingElectrodes(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions)
+  FloatingElectrodes(const DofLayout<dim>& layout, const BoundaryConditions<dim>& conditions)
       : layout(layout), conditions(conditions)
   {
   }
@@ -54,7 +54,7 @@ private:
 
   using Touch = std::pair<std::size_t, std::size_t>; ///< electrode, local unknown
 
-  const FieldLayout<dim>& layout;
+  const DofLayout<dim>& layout;
   const BoundaryConditions<dim>& conditions;
   bool is_solved = true;
   std::vector<std::vector<Touch>> touches; ///< of each own cell

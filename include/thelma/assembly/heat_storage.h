@@ -14,7 +14,7 @@ template <int dim>
 class HeatStorage
 {
 public:
-  void setup(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions);
+  void setup(const DofLayout<dim>& layout, const BoundaryConditions<dim>& conditions);
 
   /// Add the heat that is stored at the nodes, in mW.
   void add_residual(const State& state, BlockVector& residual) const;

@@ -18,7 +18,7 @@ class PressureBlocks final : public CellPressures
 public:
   using CellElimination = std::function<Elimination<dim>(std::size_t)>;
 
-  PressureBlocks(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
+  PressureBlocks(const DofLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
                  const Formulation<dim>& formulation, CellElimination elimination);
 
   /// Take over a new tangent; @p shear_modulus in MPa of each own cell.
@@ -38,7 +38,7 @@ private:
     return formulation.pressures(elimination(cell));
   }
 
-  const FieldLayout<dim>& layout;
+  const DofLayout<dim>& layout;
   const Formulation<dim>& formulation;
   CellElimination elimination;
   unsigned int n; ///< pressures per cell

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <thelma/assembly/corner_grids.h>
 #include <thelma/assembly/floating_electrodes.h>
 #include <thelma/assembly/heat_storage.h>
+#include <thelma/assembly/p1_coarse_spaces.h>
 #include <thelma/assembly/pressure_blocks.h>
 #include <thelma/assembly/tangent_matrix.h>
 #include <thelma/base/timings.h>
@@ -24,7 +24,7 @@ template <int dim>
 class System : public LoadedSystem
 {
 public:
-  System(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
+  System(const DofLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
          const Loads<dim>& loads, const HeatStorage<dim>& storage, State& state, Timings& timings);
 
   void declare(dealii::ParameterHandler& prm);
@@ -173,7 +173,7 @@ private:
   /// Zero what belongs to given unknowns.
   void clear_given(BlockVector& x) const;
 
-  const FieldLayout<dim>& layout;
+  const DofLayout<dim>& layout;
   const BoundaryConditions<dim>& conditions;
   const Loads<dim>& loads;
   const HeatStorage<dim>& storage;
@@ -192,7 +192,7 @@ private:
   std::string counts_for; ///< entry that needs unstable directions
   System* symmetric_part = nullptr;
   std::unique_ptr<PressureBlocks<dim>> pressures; ///< of a solver that keeps them
-  std::unique_ptr<CornerGrids<dim>> corner_grids;
+  std::unique_ptr<P1CoarseSpaces<dim>> corner_grids;
   std::unique_ptr<LinearSolver> solver; ///< refers to both
   std::vector<double> scales;           ///< per block
   double volume = 0.;                   ///< mm^dim

@@ -25,7 +25,7 @@ public:
   using Coupling = std::function<bool(const Cell<dim>&, unsigned int, unsigned int)>;
 
   void setup(
-      const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
+      const DofLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
       Coupling coupling = [](const Cell<dim>&, unsigned int, unsigned int) { return true; });
 
   /// Begin a new assembly.
@@ -40,8 +40,8 @@ public:
   const dealii::TrilinosWrappers::BlockSparseMatrix& matrix() const { return tangent; }
 
 private:
-  void make_pattern(const FieldLayout<dim>& layout);
-  void find_places(const FieldLayout<dim>& layout);
+  void make_pattern(const DofLayout<dim>& layout);
+  void find_places(const DofLayout<dim>& layout);
   double* entry(dealii::types::global_dof_index row, dealii::types::global_dof_index column);
   template <typename Visitor>
   void for_each_run(const CellPlaces& place, std::size_t i, const Visitor& visit) const;

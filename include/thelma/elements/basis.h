@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/fields/layout.h>
+#include <thelma/fields/dof_layout.h>
 
 #include <deal.II/base/quadrature.h>
 
@@ -42,7 +42,7 @@ class Integration
 {
 public:
   /// @p n_points Gauss points per direction.
-  Integration(const FieldLayout<dim>& layout, unsigned int n_points, unsigned int n_enhanced = 0);
+  Integration(const DofLayout<dim>& layout, unsigned int n_points, unsigned int n_enhanced = 0);
 
   const Basis<dim>& basis() const { return shape; }
   const PointGeometry<dim>* of_cell(const std::size_t cell) const

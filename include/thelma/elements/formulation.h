@@ -111,7 +111,8 @@ struct PressureBlock {
   const std::array<Modes, 8>* mass_inverse;
 };
 
-/// Residual and tangent of one cell. A new formulation is one file and one line in list.cc.
+/// Residual and tangent of one cell. A new formulation is one file and one line in
+/// formulation_list.cc.
 template <int dim>
 class Formulation
 {
@@ -119,7 +120,7 @@ public:
   virtual ~Formulation() = default;
 
   /// Precompute quadrature data for the cells of @p layout.
-  virtual void setup(const FieldLayout<dim>& layout) = 0;
+  virtual void setup(const DofLayout<dim>& layout) = 0;
   virtual void residual(const CellView<dim>& view, CellResult& result) const = 0;
   virtual void tangent(const CellView<dim>& view, CellResult& result) const = 0;
 

@@ -45,7 +45,7 @@ protected:
   /// Take the volumetric terms by Gauss's rule of @p n_points per direction and let p and t be
   /// combinations of @p modes, given by their values at its points. A cell has @p n_enhanced modes
   /// after its nodes, see enhance().
-  void use(const FieldLayout<dim>& layout, unsigned int n_points, const std::vector<Modes>& modes,
+  void use(const DofLayout<dim>& layout, unsigned int n_points, const std::vector<Modes>& modes,
            unsigned int n_modes, unsigned int n_enhanced = 0);
 
   /// Gauss's rule of the volumetric terms.

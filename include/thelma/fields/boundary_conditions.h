@@ -22,7 +22,7 @@ public:
   /// Find the degrees of freedom of every named surface. Throws InputError for unknown names, for
   /// a potential without ground, for surfaces in regions that carry no field, or if a body of the
   /// mesh could move without strain.
-  void setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
+  void setup(const Mesh<dim>& mesh, const DofLayout<dim>& layout);
 
   /// Zero corrections at every prescribed degree of freedom.
   const dealii::AffineConstraints<double>& constraints() const { return homogeneous; }
@@ -30,11 +30,11 @@ public:
   /// Write the values at supports that do not move into the owned entries of @p x.
   void hold_supports(BlockVector& x) const;
 
-  const std::vector<Electrode>& electrodes() const { return plates.all(); }
-  std::vector<const Electrode*> live_electrodes() const { return plates.live(); }
+  const std::vector<Electrode>& electrodes() const { return electrode_set.all(); }
+  std::vector<const Electrode*> live_electrodes() const { return electrode_set.live(); }
   const Electrode& electrode(const std::string& name, const std::string& place) const
   {
-    return plates.named(name, place);
+    return electrode_set.named(name, place);
   }
 
   /// Let the electrode @p name float with @p charge (uC) from now on, or drive it.
@@ -54,23 +54,23 @@ public:
   const std::map<dealii::types::global_dof_index, double>& heated() const { return heated_dofs; }
 
   /// Unconstrained unknowns of @p field over all ranks.
-  dealii::types::global_dof_index n_free(const FieldLayout<dim>& layout, Field field) const;
+  dealii::types::global_dof_index n_free(const DofLayout<dim>& layout, Field field) const;
 
 private:
   using Values = std::map<dealii::types::global_dof_index, double>;
 
-  static void fix(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string& surface,
+  static void fix(const Mesh<dim>& mesh, const DofLayout<dim>& layout, const std::string& surface,
                   const std::string& place, unsigned int component, double value, Values& values);
-  void fix_supports(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
-  void fix_moved_supports(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
+  void fix_supports(const Mesh<dim>& mesh, const DofLayout<dim>& layout);
+  void fix_moved_supports(const Mesh<dim>& mesh, const DofLayout<dim>& layout);
   void require_held(const Mesh<dim>& mesh) const;
   void collect_driven();
-  void fix_temperatures(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
+  void fix_temperatures(const Mesh<dim>& mesh, const DofLayout<dim>& layout);
 
   std::map<std::string, std::string> supports;
   std::map<std::string, std::string> moved_supports;
   std::map<std::string, double> temperatures;
-  Electrodes<dim> plates;
+  Electrodes<dim> electrode_set;
 
   dealii::IndexSet owned;
   Values fixed_dofs;  ///< value in mm

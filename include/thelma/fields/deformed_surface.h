@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/fields/layout.h>
+#include <thelma/fields/dof_layout.h>
 
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ class DeformedSurface
 public:
   /// Throws InputError, with @p place in the sentence, for an unknown surface and for one inside
   /// the body.
-  void setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string& name,
+  void setup(const Mesh<dim>& mesh, const DofLayout<dim>& layout, const std::string& name,
              const std::string& place);
 
   /// A quadrature point of a face.
@@ -42,11 +42,11 @@ public:
   /// Call @p visit(Face, its Points) for the own faces at the displacements in @p x, whose ghosts
   /// are up to date.
   template <typename Visitor>
-  void visit(const FieldLayout<dim>& layout, const BlockVector& x, const Visitor& visit) const;
+  void visit(const DofLayout<dim>& layout, const BlockVector& x, const Visitor& visit) const;
 
   /// Volume (in plane strain per mm) between the own faces and the origin, negative where the body
   /// lies outside (theory.md, eq. 57).
-  double own_volume(const FieldLayout<dim>& layout, const BlockVector& x) const;
+  double own_volume(const DofLayout<dim>& layout, const BlockVector& x) const;
 
 private:
   struct Undeformed {
@@ -65,7 +65,7 @@ private:
 
 template <int dim>
 template <typename Visitor>
-void DeformedSurface<dim>::visit(const FieldLayout<dim>& layout, const BlockVector& x,
+void DeformedSurface<dim>::visit(const DofLayout<dim>& layout, const BlockVector& x,
                                  const Visitor& visit) const
 {
   std::vector<double> values;

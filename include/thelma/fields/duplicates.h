@@ -11,7 +11,7 @@ namespace thelma
 /// faces that an element with and one without potential share, but in three dimensions not the
 /// inner nodes of their common lines; the body would be slit there.
 ///
-/// Elements are those of FieldLayout: 0 has every component, 1 lacks the component @p absent; all
+/// Elements are those of DofLayout: 0 has every component, 1 lacks the component @p absent; all
 /// others are of @p degree.
 template <int dim>
 std::map<dealii::types::global_dof_index, dealii::types::global_dof_index>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/fields/layout.h>
+#include <thelma/fields/dof_layout.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -34,7 +34,7 @@ public:
 
   /// Find the unknowns of every electrode. Throws InputError for unknown names, a potential without
   /// ground, electrodes that touch, or surfaces in regions that carry no field.
-  void setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout);
+  void setup(const Mesh<dim>& mesh, const DofLayout<dim>& layout);
 
   const std::vector<Electrode>& all() const { return list; }
 
@@ -52,7 +52,7 @@ public:
 
 private:
   Electrode& find(const std::string& name);
-  void add(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, Electrode electrode,
+  void add(const Mesh<dim>& mesh, const DofLayout<dim>& layout, Electrode electrode,
            const std::string& place);
 
   std::map<std::string, double> driven, floating;
@@ -61,7 +61,7 @@ private:
 
 /// Potential of @p electrode in kV.
 template <int dim>
-double potential(const Electrode& electrode, const FieldLayout<dim>& layout, const BlockVector& x);
+double potential(const Electrode& electrode, const DofLayout<dim>& layout, const BlockVector& x);
 
 /// Smallest distance in mm between nodes of two @p electrodes of one body that differ by the whole
 /// applied voltage; 0 if there are no such two. To be called by every rank.

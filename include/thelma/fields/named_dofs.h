@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/fields/layout.h>
+#include <thelma/fields/dof_layout.h>
 
 #include <set>
 #include <string>
@@ -14,7 +14,7 @@ namespace thelma
 /// and for surfaces that touch no cell.
 template <int dim>
 std::set<dealii::types::global_dof_index>
-dofs_on(const Mesh<dim>& mesh, const FieldLayout<dim>& layout, const std::string& surface,
+dofs_on(const Mesh<dim>& mesh, const DofLayout<dim>& layout, const std::string& surface,
         const std::string& place, unsigned int component);
 
 /// Sum of the entries @p dofs of @p x over all ranks.

@@ -16,7 +16,7 @@ namespace thelma
 /// functions, by the quadrature whose points are the nodes (theory.md, eq. 27); compress(add) comes
 /// later.
 template <int dim>
-void add_nodal_integrals(const FieldLayout<dim>& layout, Field field,
+void add_nodal_integrals(const DofLayout<dim>& layout, Field field,
                          const std::function<double(const Cell<dim>&)>& density,
                          BlockVector& nodal);
 
@@ -25,7 +25,7 @@ void add_nodal_integrals(const FieldLayout<dim>& layout, Field field,
 /// sentence, for an unknown name and for a surface inside of the body, for which @p only tells what
 /// is allowed outside alone.
 template <int dim, typename Visitor>
-void for_each_nodal_area(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
+void for_each_nodal_area(const Mesh<dim>& mesh, const DofLayout<dim>& layout,
                          const std::string& name, const std::string& place, const Field field,
                          const std::string& only, const Visitor& visit)
 {

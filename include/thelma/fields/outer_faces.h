@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/fields/layout.h>
+#include <thelma/fields/dof_layout.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature.h>
@@ -15,7 +15,7 @@ namespace thelma
 template <int dim>
 struct OuterFace {
   const dealii::FEFaceValues<dim>& values; ///< of the scalar element: JxW and shape functions
-  const FieldLayout<dim>& layout;
+  const DofLayout<dim>& layout;
   const std::vector<dealii::types::global_dof_index>& indices; ///< of its cell
   unsigned int fe_index;
 
@@ -45,7 +45,7 @@ bool visit_outer_faces(const Mesh<dim>& mesh, const std::string& name, const std
 
 /// visit_outer_faces() with @p visit(OuterFace).
 template <int dim, typename Visitor>
-bool for_each_outer_face(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
+bool for_each_outer_face(const Mesh<dim>& mesh, const DofLayout<dim>& layout,
                          const std::string& name, const std::string& place,
                          const dealii::Quadrature<dim - 1>& quadrature, const Visitor& visit)
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/fields/layout.h>
+#include <thelma/fields/dof_layout.h>
 #include <thelma/fields/rates.h>
 
 #include <functional>
@@ -121,7 +121,7 @@ private:
 
 /// A temperature of a cell in K, where one number has to do for all of it: that at its last node.
 template <int dim>
-double cell_temperature(const FieldLayout<dim>& layout, const State& state, const Cell<dim>& cell)
+double cell_temperature(const DofLayout<dim>& layout, const State& state, const Cell<dim>& cell)
 {
   if (!layout.has(Field::temperature))
     return state.theta;

@@ -31,7 +31,7 @@ public:
 template <int dim>
 struct LoadInput {
   const Mesh<dim>& mesh;
-  const FieldLayout<dim>& layout;
+  const DofLayout<dim>& layout;
   const BoundaryConditions<dim>* conditions; ///< null where they could not be set up
   const Loading* loading;                    ///< null where it could not be set up
   double theta_start, theta;                 ///< reference temperature, Temperature/Value in K

@@ -54,7 +54,7 @@ public:
   void add_tangent(const State& state, const Counts& counts, TangentEntries<dim>& tangent) const;
 
   /// What enters the body through loads.
-  HeatInflow heat_inflow(const FieldLayout<dim>& layout, const State& state) const;
+  HeatInflow heat_inflow(const DofLayout<dim>& layout, const State& state) const;
 
   std::vector<double> levels() const;
   void set_levels(const std::vector<double>& levels);

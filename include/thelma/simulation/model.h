@@ -39,7 +39,7 @@ public:
   Timings& timings;
   MaterialLibrary materials;
   Mesh<dim> mesh;
-  FieldLayout<dim> layout;
+  DofLayout<dim> layout;
   BoundaryConditions<dim> conditions;
   Loading loading;
   Loads<dim> loads;

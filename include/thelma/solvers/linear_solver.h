@@ -105,7 +105,8 @@ struct LinearProblem {
   std::string counts_for; ///< entry of the scene that needs unstable directions; empty: none
 };
 
-/// Solves with one tangent after the other. A new solver is one file and one line in list.cc.
+/// Solves with one tangent after the other. A new solver is one file and one line in
+/// solver_list.cc.
 class LinearSolver
 {
 public:

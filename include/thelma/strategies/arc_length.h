@@ -29,7 +29,7 @@ public:
   void declare(dealii::ParameterHandler& prm);
 
   /// Find the controlled displacement, if there is one. Throws InputError.
-  void setup(const Mesh<dim>& mesh, const FieldLayout<dim>& layout,
+  void setup(const Mesh<dim>& mesh, const DofLayout<dim>& layout,
              const BoundaryConditions<dim>& conditions);
 
   bool is_automatic() const { return continuation == Continuation::automatic; }

@@ -19,8 +19,8 @@ public:
   /// A step of this @p length has failed.
   void cut_back(const double length) { size = length / 2.; }
 
-  /// @p surprise: distance of the state from its guess over the length of the step.
-  void accept(unsigned int newton_iterations, double surprise, double longest);
+  /// @p prediction_error: distance of the state from its guess over the length of the step.
+  void accept(unsigned int newton_iterations, double prediction_error, double longest);
 
   template <class Archive>
   void serialize(Archive& archive, unsigned int)

@@ -71,7 +71,7 @@ private:
   LoadPath* path = nullptr;
   LoadSymmetry symmetry = LoadSymmetry::none;
   bool gives_way = false, has_turned = false;
-  double surprise = 0.; ///< of the state that was found last
+  double prediction_error = 0.; ///< of the state that was found last
   Failure failure;
 };
 

@@ -66,7 +66,7 @@ public:
 
   /// Tangent, slope and count of unstable directions at the iterate; @p plane faces forward.
   /// Whether the tangent could be factorised.
-  bool examine(const Plane& plane, PathState& found);
+  bool refine_and_count(const Plane& plane, PathState& found);
 
   /// The state at the arc length @p arc between the last two accepted states.
   Solution between(double arc);

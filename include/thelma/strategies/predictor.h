@@ -29,7 +29,7 @@ template <int dim>
 class Predictor
 {
 public:
-  Predictor(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions, State& state)
+  Predictor(const DofLayout<dim>& layout, const BoundaryConditions<dim>& conditions, State& state)
       : layout(layout), conditions(conditions), state(state)
   {
   }
@@ -43,7 +43,8 @@ public:
 
   /// The same at @p place of a path on which the accepted states stand at @p places by this
   /// @p metric, also between the last two; returns the load there.
-  double predict_along(const std::vector<double>& places, double place, const PathMetric& metric);
+  double extrapolate_along(const std::vector<double>& places, double place,
+                           const PathMetric& metric);
 
   /// Write the @p part of the way from the last accepted state to @p found into the State's
   /// iterate.
@@ -55,10 +56,10 @@ public:
 
   /// How far the iterate, now converged, lies from the guess, as a part of its distance from the
   /// last accepted state. Above 1 it is probably on another branch.
-  double surprise() const;
+  double prediction_error() const;
 
-  /// Choose the next order by the surprise of the accepted state, or after a failure.
-  void adapt(double surprise);
+  /// Choose the next order by the prediction_error of the accepted state, or after a failure.
+  void adapt(double prediction_error);
 
   /// What it has learnt on the way.
   template <class Archive>
@@ -95,7 +96,7 @@ private:
 
   static constexpr unsigned int highest_order = 3;
 
-  const FieldLayout<dim>& layout;
+  const DofLayout<dim>& layout;
   const BoundaryConditions<dim>& conditions;
   State& state;
   const Formulation<dim>* formulation = nullptr;

@@ -19,7 +19,7 @@ template <int dim>
 class TimeSteps final : public Strategy
 {
 public:
-  TimeSteps(System<dim>& deformation, System<dim>& heated, const FieldLayout<dim>& layout,
+  TimeSteps(System<dim>& deformation, System<dim>& heated, const DofLayout<dim>& layout,
             const BoundaryConditions<dim>& conditions, Loads<dim>& loads, State& state,
             Predictor<dim>& predictor, const Equilibrium& equilibrium)
       : deformation(deformation), heated(heated), layout(layout), conditions(conditions),
@@ -78,7 +78,7 @@ private:
   std::string coupling_advice() const;
 
   System<dim>&deformation, &heated;
-  const FieldLayout<dim>& layout;
+  const DofLayout<dim>& layout;
   const BoundaryConditions<dim>& conditions;
   Loads<dim>& loads;
   State& state;

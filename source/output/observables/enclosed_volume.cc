@@ -38,7 +38,7 @@ public:
   }
 
 private:
-  double signed_volume(const FieldLayout<dim>& layout, const BlockVector& x) const
+  double signed_volume(const DofLayout<dim>& layout, const BlockVector& x) const
   {
     return dealii::Utilities::MPI::sum(surface.own_volume(layout, x), layout.communicator());
   }

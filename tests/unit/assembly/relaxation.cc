@@ -255,7 +255,7 @@ TEST(DealtOutHistory, ComesBack)
   film.accept();
   const std::vector<double>& history = film.scene.state.path().back().history;
   EXPECT_EQ(history.size(), film.scene.layout.cells().size() * 27 * 6);
-  const MeshOrder<3> order(film.scene.layout);
+  const PartitionIndependentOrder<3> order(film.scene.layout);
   std::vector<double> all = order.collect(history);
   all = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, all);
   EXPECT_EQ(all.size(), 2u * 27 * 6);

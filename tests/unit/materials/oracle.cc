@@ -1,8 +1,8 @@
 #include "support.h"
 
 /// Every hand-written derivative of the point physics against Sacado: first derivatives against
-/// the energy, tangents against the hand-written P, D, eta. A law added to materials/list.h is
-/// tested without another line here.
+/// the energy, tangents against the hand-written P, D, eta. A law added to
+/// materials/material_list.h is tested without another line here.
 namespace thelma
 {
 namespace

@@ -4,7 +4,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <thelma/materials/library.h>
-#include <thelma/materials/list.h>
+#include <thelma/materials/material_list.h>
 
 #include <gtest/gtest.h>
 

@@ -51,7 +51,7 @@ void follow_rolling(const bool is_large)
   roll_up(scene, 1.2);
   error -= scene.state.x.block(0);
   EXPECT_LT(error.l2_norm() / scene.state.x.block(0).l2_norm(), 5e-3);
-  EXPECT_LT(predictor.surprise(), 1e-2);
+  EXPECT_LT(predictor.prediction_error(), 1e-2);
 }
 
 TEST(Predictor, FollowsABodyThatRollsUp)

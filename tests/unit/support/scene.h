@@ -1,7 +1,7 @@
 #pragma once
 
 #include <thelma/assembly/system.h>
-#include <thelma/fields/mesh_order.h>
+#include <thelma/fields/partition_independent_order.h>
 #include <thelma/loads/prescribed.h>
 
 #include <random>
@@ -58,7 +58,7 @@ struct TestScene {
   ParameterFile file;
   MaterialLibrary materials;
   Mesh<dim> mesh;
-  FieldLayout<dim> layout;
+  DofLayout<dim> layout;
   BoundaryConditions<dim> conditions;
   Loads<dim> loads;
   HeatStorage<dim> storage;
@@ -80,7 +80,7 @@ void add_noise(const TestScene<dim>& scene, const std::vector<double>& amplitude
   for (double& value : all)
     value = noise(random);
   BlockVector change = scene.layout.new_vector();
-  MeshOrder<dim>(scene.layout).distribute(all, change);
+  PartitionIndependentOrder<dim>(scene.layout).distribute(all, change);
   x.zero_out_ghost_values();
   change.zero_out_ghost_values();
   for (unsigned int b = 0; b < x.n_blocks(); ++b)

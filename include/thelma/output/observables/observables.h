@@ -17,7 +17,7 @@ template <int dim>
 struct ObservableInput {
   const MaterialLibrary& materials;
   const Mesh<dim>& mesh;
-  const FieldLayout<dim>& layout;
+  const DofLayout<dim>& layout;
   const BoundaryConditions<dim>& conditions;
   const Loads<dim>& loads;
   const HeatStorage<dim>& storage;

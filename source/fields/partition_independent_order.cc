@@ -44,7 +44,8 @@ std::vector<std::uint64_t> dealt_out(const MPI_Comm comm, const std::vector<std:
 /// An own unknown is known by the first cell that has it, which is an own one or a neighbour, and
 /// by its place there.
 template <int dim>
-MeshOrder<dim>::MeshOrder(const FieldLayout<dim>& layout) : layout(layout)
+PartitionIndependentOrder<dim>::PartitionIndependentOrder(const DofLayout<dim>& layout)
+    : layout(layout)
 {
   const auto owned = layout.dof_handler().locally_owned_dofs();
   std::map<dealii::types::global_dof_index, Key> first;
@@ -73,7 +74,8 @@ MeshOrder<dim>::MeshOrder(const FieldLayout<dim>& layout) : layout(layout)
 }
 
 template <int dim>
-typename MeshOrder<dim>::Places MeshOrder<dim>::places(const std::vector<Key>& own) const
+typename PartitionIndependentOrder<dim>::Places
+PartitionIndependentOrder<dim>::places(const std::vector<Key>& own) const
 {
   const MPI_Comm comm = layout.communicator();
   const std::vector<Key> keys = joined(comm, own);
@@ -92,8 +94,8 @@ typename MeshOrder<dim>::Places MeshOrder<dim>::places(const std::vector<Key>& o
 
 /// Equally many values for each of the places.
 template <int dim>
-std::vector<double> MeshOrder<dim>::sorted(const Places& places,
-                                           const std::vector<double>& own) const
+std::vector<double> PartitionIndependentOrder<dim>::sorted(const Places& places,
+                                                           const std::vector<double>& own) const
 {
   const std::vector<double> gathered = joined(layout.communicator(), own);
   const std::size_t n = places.all.empty() ? 0 : gathered.size() / places.all.size();
@@ -104,7 +106,7 @@ std::vector<double> MeshOrder<dim>::sorted(const Places& places,
 }
 
 template <int dim>
-std::vector<double> MeshOrder<dim>::collect(const BlockVector& x) const
+std::vector<double> PartitionIndependentOrder<dim>::collect(const BlockVector& x) const
 {
   std::vector<double> own;
   for (const auto index : indices)
@@ -113,13 +115,15 @@ std::vector<double> MeshOrder<dim>::collect(const BlockVector& x) const
 }
 
 template <int dim>
-std::vector<double> MeshOrder<dim>::collect(const std::vector<double>& internal) const
+std::vector<double>
+PartitionIndependentOrder<dim>::collect(const std::vector<double>& internal) const
 {
   return sorted(cells, internal);
 }
 
 template <int dim>
-bool MeshOrder<dim>::distribute(const std::vector<double>& all, BlockVector& x) const
+bool PartitionIndependentOrder<dim>::distribute(const std::vector<double>& all,
+                                                BlockVector& x) const
 {
   if (all.size() != unknowns.total)
     return false;
@@ -131,7 +135,8 @@ bool MeshOrder<dim>::distribute(const std::vector<double>& all, BlockVector& x) 
 }
 
 template <int dim>
-bool MeshOrder<dim>::distribute(const std::vector<double>& all, std::vector<double>& internal) const
+bool PartitionIndependentOrder<dim>::distribute(const std::vector<double>& all,
+                                                std::vector<double>& internal) const
 {
   if (cells.own.empty())
     return true;
@@ -143,7 +148,7 @@ bool MeshOrder<dim>::distribute(const std::vector<double>& all, std::vector<doub
   return true;
 }
 
-template class MeshOrder<2>;
-template class MeshOrder<3>;
+template class PartitionIndependentOrder<2>;
+template class PartitionIndependentOrder<3>;
 
 } // namespace thelma

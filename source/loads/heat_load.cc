@@ -5,7 +5,8 @@
 namespace thelma
 {
 
-void check_warming(const double start, const double wall, const double time, const double level)
+void check_wall_temperature(const double start, const double wall, const double time,
+                            const double level)
 {
   const double there = start + level * (wall - start);
   if (there < 1. || there > 1e4)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/fields/layout.h>
+#include <thelma/fields/dof_layout.h>
 
 #include <cstdint>
 #include <utility>
@@ -13,10 +13,10 @@ namespace thelma
 /// to them one after the other, and what lies inside the cells cell by cell. So what some ranks
 /// have written any number of others can read.
 template <int dim>
-class MeshOrder
+class PartitionIndependentOrder
 {
 public:
-  explicit MeshOrder(const FieldLayout<dim>& layout);
+  explicit PartitionIndependentOrder(const DofLayout<dim>& layout);
 
   /// On rank 0 all values of @p x, elsewhere none.
   std::vector<double> collect(const BlockVector& x) const;
@@ -40,7 +40,7 @@ private:
   Places places(const std::vector<Key>& own) const;
   std::vector<double> sorted(const Places& places, const std::vector<double>& own) const;
 
-  const FieldLayout<dim>& layout;
+  const DofLayout<dim>& layout;
   std::vector<dealii::types::global_dof_index> indices; ///< own ones
   Places unknowns, cells;
 };

@@ -10,8 +10,8 @@ namespace thelma
 {
 
 template <int dim>
-CornerGrids<dim>::CornerGrids(const FieldLayout<dim>& layout,
-                              const BoundaryConditions<dim>& conditions, const State& state)
+P1CoarseSpaces<dim>::P1CoarseSpaces(const DofLayout<dim>& layout,
+                                    const BoundaryConditions<dim>& conditions, const State& state)
     : layout(layout), state(state), corners(layout.new_vector())
 {
   for (unsigned int block = 0; block < (layout.has(Field::potential) ? 2 : 1); ++block)
@@ -25,7 +25,7 @@ CornerGrids<dim>::CornerGrids(const FieldLayout<dim>& layout,
 }
 
 template <int dim>
-void CornerGrids<dim>::find_corners()
+void P1CoarseSpaces<dim>::find_corners()
 {
   for (const Cell<dim>& cell : layout.cells())
     for (std::size_t v = 0; v < n_corners; ++v)
@@ -36,9 +36,9 @@ void CornerGrids<dim>::find_corners()
 }
 
 template <int dim>
-void CornerGrids<dim>::update()
+void P1CoarseSpaces<dim>::update()
 {
-  for (CornerGrid<dim>& grid : grids)
+  for (P1CoarseSpace<dim>& grid : grids)
     grid.clear();
   for (const Cell<dim>& cell : layout.cells()) {
     Positions x;
@@ -50,14 +50,14 @@ void CornerGrids<dim>::update()
     const double theta = cell_temperature(layout, state, cell);
     add(cell, x, cell.material->shear_modulus(theta), cell.material->permittivity(theta));
   }
-  for (CornerGrid<dim>& grid : grids)
+  for (P1CoarseSpace<dim>& grid : grids)
     grid.finish();
   find_motions();
 }
 
 template <int dim>
-void CornerGrids<dim>::add(const Cell<dim>& cell, const Positions& x, const double mu,
-                           const double eps)
+void P1CoarseSpaces<dim>::add(const Cell<dim>& cell, const Positions& x, const double mu,
+                              const double eps)
 {
   constexpr std::size_t n = n_corners * dim;
   std::array<double, n * n> shear{};
@@ -80,8 +80,8 @@ void CornerGrids<dim>::add(const Cell<dim>& cell, const Positions& x, const doub
 }
 
 template <int dim>
-std::array<typename CornerGrids<dim>::Point, CornerGrids<dim>::n_corners>
-CornerGrids<dim>::points(const Positions& x) const
+std::array<typename P1CoarseSpaces<dim>::Point, P1CoarseSpaces<dim>::n_corners>
+P1CoarseSpaces<dim>::points(const Positions& x) const
 {
   const double weight = 1. / n_corners; // of a point of the unit cell
   std::array<Point, n_corners> result;
@@ -99,7 +99,7 @@ CornerGrids<dim>::points(const Positions& x) const
 }
 
 template <int dim>
-CoarseGrid CornerGrids<dim>::of_block(const unsigned int block) const
+CoarseGrid P1CoarseSpaces<dim>::of_block(const unsigned int block) const
 {
   if (block >= grids.size())
     return {};
@@ -108,9 +108,9 @@ CoarseGrid CornerGrids<dim>::of_block(const unsigned int block) const
 
 /// Translations and rotations of the deformed body about the middle of its corners.
 template <int dim>
-void CornerGrids<dim>::find_motions()
+void P1CoarseSpaces<dim>::find_motions()
 {
-  const CornerGrid<dim>& grid = grids[0];
+  const P1CoarseSpace<dim>& grid = grids[0];
   const std::size_t n_all = corners.block(0).locally_owned_size();
   const auto position = [&](const std::size_t i) {
     return corners.block(0).local_element(i) + state.x.block(0).local_element(i);
@@ -143,7 +143,7 @@ void CornerGrids<dim>::find_motions()
   }
 }
 
-template class CornerGrids<2>;
-template class CornerGrids<3>;
+template class P1CoarseSpaces<2>;
+template class P1CoarseSpaces<3>;
 
 } // namespace thelma

@@ -25,11 +25,11 @@ protected:
   /// Throws InputError for the @p entry if it is given and there is no temperature field.
   void require_field(const SceneEntry& entry, bool is_given) const;
 
-  const FieldLayout<dim>* layout = nullptr;
+  const DofLayout<dim>* layout = nullptr;
 };
 
 /// Throws InputError if the part @p level of the way from @p start to the @p wall temperature (K),
 /// at the @p time (s), is no temperature.
-void check_warming(double start, double wall, double time, double level);
+void check_wall_temperature(double start, double wall, double time, double level);
 
 } // namespace thelma

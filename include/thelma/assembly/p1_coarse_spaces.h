@@ -15,11 +15,11 @@ namespace thelma
 /// eps grad(phi) . grad(chi) (theory.md, eq. 63). Positive in every state, with the rigid motions
 /// as only null space.
 template <int dim>
-class CornerGrids final : public CoarseGrids
+class P1CoarseSpaces final : public CoarseGrids
 {
 public:
-  CornerGrids(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
-              const State& state);
+  P1CoarseSpaces(const DofLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
+                 const State& state);
 
   void update() override;
   CoarseGrid of_block(unsigned int block) const override;
@@ -27,7 +27,7 @@ public:
   unsigned int components(const unsigned int block) const override { return block == 0 ? dim : 1; }
 
 private:
-  static constexpr std::size_t n_corners = CornerGrid<dim>::n_corners;
+  static constexpr std::size_t n_corners = P1CoarseSpace<dim>::n_corners;
   using Positions = std::array<dealii::Tensor<1, dim>, n_corners>;
   /// Gradients of the corners' functions at a point, and its weight.
   struct Point {
@@ -40,9 +40,9 @@ private:
   std::array<Point, n_corners> points(const Positions& x) const;
   void find_motions();
 
-  const FieldLayout<dim>& layout;
+  const DofLayout<dim>& layout;
   const State& state;
-  std::vector<CornerGrid<dim>> grids; ///< of displacement and, where there is one, potential
+  std::vector<P1CoarseSpace<dim>> grids; ///< of displacement and, where there is one, potential
   BlockVector corners; ///< reference position of a corner's displacements along their own axes
   std::array<std::array<dealii::Tensor<1, dim>, n_corners>, n_corners> reference_gradients;
   std::vector<std::vector<double>> motions;

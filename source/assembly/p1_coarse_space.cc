@@ -12,8 +12,9 @@ namespace thelma
 {
 
 template <int dim>
-CornerGrid<dim>::CornerGrid(const FieldLayout<dim>& layout,
-                            const BoundaryConditions<dim>& conditions, const unsigned int block)
+P1CoarseSpace<dim>::P1CoarseSpace(const DofLayout<dim>& layout,
+                                  const BoundaryConditions<dim>& conditions,
+                                  const unsigned int block)
     : layout(layout), block(block), components(block == 0 ? dim : 1)
 {
   const BlockVector vectors = layout.new_vector();
@@ -28,7 +29,7 @@ CornerGrid<dim>::CornerGrid(const FieldLayout<dim>& layout,
 }
 
 template <int dim>
-std::vector<unsigned int> CornerGrid<dim>::unknowns(const Cell<dim>& cell) const
+std::vector<unsigned int> P1CoarseSpace<dim>::unknowns(const Cell<dim>& cell) const
 {
   std::vector<unsigned int> result;
   for (std::size_t v = 0; v < n_corners; ++v)
@@ -39,7 +40,7 @@ std::vector<unsigned int> CornerGrid<dim>::unknowns(const Cell<dim>& cell) const
 
 /// Rank by rank, in the order of the vector.
 template <int dim>
-void CornerGrid<dim>::number_corners(Vector new_numbers)
+void P1CoarseSpace<dim>::number_corners(Vector new_numbers)
 {
   new_numbers = -1.;
   for (const Cell<dim>& cell : layout.cells())
@@ -70,7 +71,7 @@ void CornerGrid<dim>::number_corners(Vector new_numbers)
 }
 
 template <int dim>
-void CornerGrid<dim>::make_matrix()
+void P1CoarseSpace<dim>::make_matrix()
 {
   dealii::DynamicSparsityPattern pattern(owned.size(), owned.size(), relevant);
   std::vector<dealii::types::global_dof_index> together;
@@ -95,7 +96,7 @@ void CornerGrid<dim>::make_matrix()
 
 /// Linear between the corners of a cell, and nothing of or for what has no equation.
 template <int dim>
-void CornerGrid<dim>::make_prolongation(const Vector& vector)
+void P1CoarseSpace<dim>::make_prolongation(const Vector& vector)
 {
   const dealii::FE_Q<dim> linear(1);
   const auto& nodes = layout.scalar_element().get_unit_support_points();
@@ -127,7 +128,7 @@ void CornerGrid<dim>::make_prolongation(const Vector& vector)
 }
 
 template <int dim>
-void CornerGrid<dim>::add(const Cell<dim>& cell, const double* entries)
+void P1CoarseSpace<dim>::add(const Cell<dim>& cell, const double* entries)
 {
   if (!has_field(cell))
     return;
@@ -139,8 +140,8 @@ void CornerGrid<dim>::add(const Cell<dim>& cell, const double* entries)
 
 /// Own rows are written in place, those of other ranks go the ordinary way through Trilinos.
 template <int dim>
-void CornerGrid<dim>::add_row(const std::vector<unsigned int>& of_cell, const std::size_t i,
-                              const double* entries)
+void P1CoarseSpace<dim>::add_row(const std::vector<unsigned int>& of_cell, const std::size_t i,
+                                 const double* entries)
 {
   const long long row = numbers[of_cell[i]];
   if (!owned.is_element(row)) {
@@ -167,7 +168,7 @@ void CornerGrid<dim>::add_row(const std::vector<unsigned int>& of_cell, const st
 }
 
 template <int dim>
-void CornerGrid<dim>::finish()
+void P1CoarseSpace<dim>::finish()
 {
   values.compress(dealii::VectorOperation::add);
   std::vector<double> own{0., 0.}, sum(2);
@@ -185,7 +186,7 @@ void CornerGrid<dim>::finish()
   values.compress(dealii::VectorOperation::insert);
 }
 
-template class CornerGrid<2>;
-template class CornerGrid<3>;
+template class P1CoarseSpace<2>;
+template class P1CoarseSpace<3>;
 
 } // namespace thelma

@@ -16,7 +16,7 @@ namespace thelma
 {
 
 template <int dim>
-void FieldLayout<dim>::declare(dealii::ParameterHandler& prm)
+void DofLayout<dim>::declare(dealii::ParameterHandler& prm)
 {
   using namespace dealii::Patterns;
   {
@@ -34,7 +34,7 @@ void FieldLayout<dim>::declare(dealii::ParameterHandler& prm)
 }
 
 template <int dim>
-void FieldLayout<dim>::setup(const Mesh<dim>& mesh, const MaterialLibrary& materials)
+void DofLayout<dim>::setup(const Mesh<dim>& mesh, const MaterialLibrary& materials)
 {
   const std::vector<std::string>& regions = mesh.regions();
   InputErrors errors;
@@ -71,7 +71,7 @@ void FieldLayout<dim>::setup(const Mesh<dim>& mesh, const MaterialLibrary& mater
 }
 
 template <int dim>
-void FieldLayout<dim>::build_elements()
+void DofLayout<dim>::build_elements()
 {
   scalar = std::make_unique<dealii::FE_Q<dim>>(polynomial_degree);
   const dealii::FE_Nothing<dim> nothing;
@@ -96,7 +96,7 @@ void FieldLayout<dim>::build_elements()
 }
 
 template <int dim>
-void FieldLayout<dim>::number_blockwise()
+void DofLayout<dim>::number_blockwise()
 {
   std::vector<unsigned int> block_of;
   for (const Field field : this->fields())
@@ -124,7 +124,7 @@ void FieldLayout<dim>::number_blockwise()
 }
 
 template <int dim>
-void FieldLayout<dim>::collect_cells(const Mesh<dim>& mesh, const MaterialLibrary& materials)
+void DofLayout<dim>::collect_cells(const Mesh<dim>& mesh, const MaterialLibrary& materials)
 {
   const BlockVector example = new_vector();
   const auto& indices_of_blocks = example.get_block_indices();
@@ -155,8 +155,8 @@ void FieldLayout<dim>::collect_cells(const Mesh<dim>& mesh, const MaterialLibrar
 }
 
 template <int dim>
-void FieldLayout<dim>::unknowns(const typename dealii::DoFHandler<dim>::active_cell_iterator& cell,
-                                std::vector<dealii::types::global_dof_index>& indices) const
+void DofLayout<dim>::unknowns(const typename dealii::DoFHandler<dim>::active_cell_iterator& cell,
+                              std::vector<dealii::types::global_dof_index>& indices) const
 {
   indices.resize(cell->get_fe().dofs_per_cell);
   cell->get_dof_indices(indices);
@@ -166,7 +166,7 @@ void FieldLayout<dim>::unknowns(const typename dealii::DoFHandler<dim>::active_c
 }
 
 template <int dim>
-void FieldLayout<dim>::complete(BlockVector& x) const
+void DofLayout<dim>::complete(BlockVector& x) const
 {
   const dealii::IndexSet owned = dofs.locally_owned_dofs();
   for (const auto& [duplicate, original] : stand_ins)
@@ -176,14 +176,14 @@ void FieldLayout<dim>::complete(BlockVector& x) const
 }
 
 template <int dim>
-dealii::types::global_dof_index FieldLayout<dim>::n_dofs(const Field field) const
+dealii::types::global_dof_index DofLayout<dim>::n_dofs(const Field field) const
 {
   const unsigned int b = this->block(field);
   return owned_dofs[b].size() - n_duplicates[b];
 }
 
 template <int dim>
-unsigned int FieldLayout<dim>::block_of_dof(dealii::types::global_dof_index dof) const
+unsigned int DofLayout<dim>::block_of_dof(dealii::types::global_dof_index dof) const
 {
   unsigned int b = 0;
   for (; dof >= owned_dofs[b].size(); ++b)
@@ -192,7 +192,7 @@ unsigned int FieldLayout<dim>::block_of_dof(dealii::types::global_dof_index dof)
 }
 
 template <int dim>
-BlockVector FieldLayout<dim>::new_vector() const
+BlockVector DofLayout<dim>::new_vector() const
 {
   return BlockVector(owned_dofs, relevant_dofs, communicator());
 }
@@ -200,7 +200,7 @@ BlockVector FieldLayout<dim>::new_vector() const
 /// Call @p visit(block, place in Cell::dofs) for the unknowns of @p cell, field by field.
 template <int dim>
 template <typename Visitor>
-void FieldLayout<dim>::for_each_unknown(const Cell<dim>& cell, const Visitor& visit) const
+void DofLayout<dim>::for_each_unknown(const Cell<dim>& cell, const Visitor& visit) const
 {
   for (const Field field : this->fields()) {
     if (field == Field::potential && !cell.has_potential)
@@ -214,8 +214,8 @@ void FieldLayout<dim>::for_each_unknown(const Cell<dim>& cell, const Visitor& vi
 }
 
 template <int dim>
-void FieldLayout<dim>::gather(const Cell<dim>& cell, const BlockVector& x,
-                              std::vector<double>& values) const
+void DofLayout<dim>::gather(const Cell<dim>& cell, const BlockVector& x,
+                            std::vector<double>& values) const
 {
   values.resize(cell.dofs.size());
   for_each_unknown(cell, [&](const unsigned int block, const std::size_t i) {
@@ -224,8 +224,8 @@ void FieldLayout<dim>::gather(const Cell<dim>& cell, const BlockVector& x,
 }
 
 template <int dim>
-void FieldLayout<dim>::scatter(const Cell<dim>& cell, const std::vector<double>& values,
-                               BlockVector& x) const
+void DofLayout<dim>::scatter(const Cell<dim>& cell, const std::vector<double>& values,
+                             BlockVector& x) const
 {
   for_each_unknown(cell, [&](const unsigned int block, const std::size_t i) {
     x.block(block).local_element(cell.local[i]) += values[i];
@@ -233,16 +233,16 @@ void FieldLayout<dim>::scatter(const Cell<dim>& cell, const std::vector<double>&
 }
 
 template <int dim>
-std::optional<unsigned int> FieldLayout<dim>::local_dof(const unsigned int fe_index,
-                                                        const unsigned int a,
-                                                        const unsigned int c) const
+std::optional<unsigned int> DofLayout<dim>::local_dof(const unsigned int fe_index,
+                                                      const unsigned int a,
+                                                      const unsigned int c) const
 {
   const int i = position[fe_index][a * this->n_components() + c];
   return i < 0 ? std::nullopt : std::optional<unsigned int>(i);
 }
 
 template <int dim>
-std::vector<std::string> FieldLayout<dim>::summary() const
+std::vector<std::string> DofLayout<dim>::summary() const
 {
   std::vector<std::string> lines;
   std::string solved;
@@ -261,7 +261,7 @@ std::vector<std::string> FieldLayout<dim>::summary() const
   return lines;
 }
 
-template class FieldLayout<2>;
-template class FieldLayout<3>;
+template class DofLayout<2>;
+template class DofLayout<3>;
 
 } // namespace thelma

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <thelma/fields/boundary_conditions.h>
-#include <thelma/fields/layout.h>
+#include <thelma/fields/dof_layout.h>
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
@@ -13,15 +13,15 @@ namespace thelma
 /// A field's unknowns at the corners of cells alone, those of a corner one after the other: a
 /// matrix of them, and their linear interpolation to all nodes.
 template <int dim>
-class CornerGrid
+class P1CoarseSpace
 {
 public:
   using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;
   static constexpr std::size_t n_corners = 1 << dim; ///< of a cell, its first nodes
 
   /// Of displacement (@p block 0) or potential.
-  CornerGrid(const FieldLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
-             unsigned int block);
+  P1CoarseSpace(const DofLayout<dim>& layout, const BoundaryConditions<dim>& conditions,
+                unsigned int block);
 
   /// Begin a new assembly.
   void clear() { values = 0.; }
@@ -55,7 +55,7 @@ private:
   void make_prolongation(const Vector& vector);
   void add_row(const std::vector<unsigned int>& unknowns, std::size_t i, const double* entries);
 
-  const FieldLayout<dim>& layout;
+  const DofLayout<dim>& layout;
   unsigned int block, components;
   std::vector<long long> numbers; ///< by the place in this rank's part of the vector
   std::vector<bool> free;         ///< likewise
