@@ -2,12 +2,12 @@
 #include <thelma/application/excerpt.h>
 #include <thelma/application/run_scene.h>
 #include <thelma/application/study.h>
-#include <thelma/base/complaints.h>
+#include <thelma/base/input_errors.h>
 #include <thelma/base/start_up.h>
 #include <thelma/base/units.h>
 #include <thelma/base/version.h>
 #include <thelma/elements/formulation.h>
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 #include <thelma/solvers/linear_solver.h>
 
 #include <deal.II/base/mpi.h>
@@ -68,14 +68,14 @@ ExitCode explain(const CommandLine& line, std::ostream& out)
 /// Every case, also after one with problems.
 ExitCode check(const CommandLine& line, std::ostream& out)
 {
-  Complaints complaints;
+  InputErrors errors;
   for (const Case& one : cases_of(line))
-    complaints.allow([&]() {
+    errors.collect([&]() {
       const std::string verdict =
           check_scene(MPI_COMM_WORLD, one.file, one.name.empty() ? line.output : one.folder);
       out << line.file << (one.name.empty() ? "" : ", " + one.name) << ": " << verdict << "\n";
     });
-  complaints.raise();
+  errors.raise();
   return ExitCode::success;
 }
 

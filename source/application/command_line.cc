@@ -163,7 +163,7 @@ CommandLine CommandLine::parse(const std::vector<std::string>& given)
       show(Action::help);
     else if (word.rfind('-', 0) == 0)
       throw InputError("command line: unknown option '" + word + "'" +
-                       known_ones(word, known_options));
+                       did_you_mean(word, known_options));
     else if (!line.file.empty())
       throw InputError("command line: two parameter files, '" + line.file + "' and '" + word +
                        "'; give one");

@@ -28,10 +28,9 @@ bool is_bookkeeping(const std::string& column)
 /// The end of a column's name: mm of tip_u1_mm, mJ_per_K of ledger_entropy_mJ_per_K.
 std::string unit(const std::string& column)
 {
-  const std::size_t fraction = column.find("_per_");
-  const std::size_t last = fraction == 0 || fraction == std::string::npos
-                               ? column.rfind('_')
-                               : column.rfind('_', fraction - 1);
+  std::size_t last = column.rfind('_');
+  if (last != std::string::npos && last > 4 && column.compare(last - 4, 4, "_per") == 0)
+    last = column.rfind('_', last - 5);
   return last == std::string::npos ? column : column.substr(last + 1);
 }
 

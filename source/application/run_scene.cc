@@ -29,7 +29,7 @@ unsigned int dimension_of(const ParameterFile& file)
   return dim;
 }
 
-/// Let @p action use the simulation of the file; complaints about a section name the file.
+/// Let @p action use the simulation of the file; errors in a section name the file.
 template <typename Action>
 auto with_simulation(const MPI_Comm comm, const ParameterFile& file, const std::string& folder,
                      std::ostream& console, const Action& action)
@@ -128,7 +128,7 @@ Outcome SingleRun::run(const MPI_Comm comm, std::ostream& console) const
 bool is_finished(const ParameterFile& file, const std::string& folder)
 {
   return with_simulation(MPI_COMM_SELF, file, folder, silence(),
-                         [](const auto& simulation) { return simulation.finished(); });
+                         [](const auto& simulation) { return simulation.is_finished(); });
 }
 
 std::string check_scene(const MPI_Comm comm, const ParameterFile& file, const std::string& folder)
@@ -149,7 +149,7 @@ std::string check_scene(const MPI_Comm comm, const ParameterFile& file, const st
 
 std::string default_parameters()
 {
-  // Materials and observables have sections once they are named.
+  // Materials and observables have sections once they are named; those of a free name have a Kind.
   std::string regions, materials;
   for (const Choice& law : elastic_laws()) {
     const std::string name = regions.empty() ? "elastomer" : "elastomer (" + law.name + ")";
@@ -158,8 +158,10 @@ std::string default_parameters()
   }
   const ParameterFile example = ParameterFile::from_text(
       "subsection Regions\n set Materials = " + regions + "\nend\nsubsection Materials\n" +
-      materials + "end\nsubsection Output\n set Observables = " +
-      comma_separated(observables<3>().names()) + "\nend\n");
+      materials +
+      "end\nsubsection Output\n set Observables = " + comma_separated(observables<3>().names()) +
+      ", another_probe\nend\nsubsection Observables\n subsection another_probe\n  set Kind = "
+      "probe\n end\nend\n");
   return Simulation<3>(MPI_COMM_SELF, example, "", silence()).parameters();
 }
 

@@ -1,10 +1,8 @@
-#include <thelma/base/complaints.h>
 #include <thelma/base/error.h>
 
 #include <algorithm>
 #include <cctype>
 #include <numeric>
-#include <regex>
 #include <sstream>
 
 namespace thelma
@@ -89,44 +87,11 @@ std::string closest(const std::string& word, const std::vector<std::string>& kno
   return best;
 }
 
-std::string known_ones(const std::string& word, const std::vector<std::string>& known)
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known)
 {
   const std::string guess = closest(word, known);
   return (guess.empty() ? "; known: " : "; did you mean '" + guess + "'? Known: ") +
          comma_separated(known);
-}
-
-void Complaints::add(const std::string& sentence)
-{
-  if (std::find(list.begin(), list.end(), sentence) == list.end())
-    list.push_back(sentence);
-}
-
-void Complaints::add_unexplained(const Complaints& found)
-{
-  const std::vector<std::string> earlier = list;
-  for (const std::string& sentence : found.sentences()) {
-    const std::string entry = sentence.substr(0, sentence.find(':')),
-                      section = sentence.substr(0, sentence.find_first_of(",:/")),
-                      guess = "did you mean '" + section.substr(section.find(' ') + 1) + "'";
-    const auto explains = [&](const std::string& other) {
-      const auto has = [&](const std::string& text) {
-        return other.find(text) != std::string::npos;
-      };
-      std::smatch unread;
-      std::regex_search(other, unread, std::regex("section [^:]*, entry '[^']*'"));
-      return has(entry) || has(guess) || (has(section) && (has("unknown ") || has("be one of "))) ||
-             (!unread.empty() && sentence.find(unread.str()) != std::string::npos);
-    };
-    if (std::none_of(earlier.begin(), earlier.end(), explains))
-      add(sentence);
-  }
-}
-
-void Complaints::raise() const
-{
-  if (!list.empty())
-    throw InputError(list);
 }
 
 } // namespace thelma

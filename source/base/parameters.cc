@@ -1,5 +1,5 @@
-#include <thelma/base/complaints.h>
 #include <thelma/base/declared_entries.h>
+#include <thelma/base/input_errors.h>
 #include <thelma/base/parameters.h>
 #include <thelma/base/pattern_words.h>
 #include <thelma/base/quantity.h>
@@ -51,7 +51,7 @@ std::string unknown_entry(const DeclaredEntries& declared, const Statement& stat
     sentence += "; it belongs to the section " + comma_separated(elsewhere) +
                 "; known here: " + comma_separated(here);
   else
-    sentence += known_ones(statement.entry, here);
+    sentence += did_you_mean(statement.entry, here);
   return sentence;
 }
 
@@ -63,7 +63,7 @@ std::string unknown_section(const DeclaredEntries& declared, const std::vector<s
     const std::vector<std::string> known = declared.sections(parent);
     parent.push_back(section);
     if (!declared.has_section(parent))
-      return "unknown subsection '" + section + "'" + known_ones(section, known);
+      return "unknown subsection '" + section + "'" + did_you_mean(section, known);
   }
   return "";
 }
@@ -151,16 +151,37 @@ void ParameterFile::peek(const std::function<void(dealii::ParameterHandler&)>& d
   dealii::ParameterHandler prm;
   declare(prm);
   const DeclaredEntries declared(prm);
-  Complaints unheard; // whatever is wrong is reported by read(), which knows every entry
+  InputErrors unheard; // whatever is wrong is reported by read(), which knows every entry
   for (const Statement& statement : statements.entries)
     if (declared.has_entry(statement.sections, statement.entry))
-      unheard.allow([&]() { set(prm, declared, statement); });
+      unheard.collect([&]() { set(prm, declared, statement); });
 }
 
 bool ParameterFile::has_section(const std::vector<std::string>& path) const
 {
   return std::any_of(statements.entries.begin(), statements.entries.end(),
                      [&](const Statement& statement) { return statement.sections == path; });
+}
+
+std::vector<std::string> ParameterFile::subsections(const std::vector<std::string>& path) const
+{
+  std::vector<std::string> names;
+  for (const Statement& statement : statements.entries) {
+    const std::vector<std::string>& sections = statement.sections;
+    if (sections.size() > path.size() && std::equal(path.begin(), path.end(), sections.begin()) &&
+        std::find(names.begin(), names.end(), sections[path.size()]) == names.end())
+      names.push_back(sections[path.size()]);
+  }
+  return names;
+}
+
+std::vector<std::string> ParameterFile::entries(const std::vector<std::string>& path) const
+{
+  std::vector<std::string> names;
+  for (const Statement& statement : statements.entries)
+    if (statement.sections == path)
+      names.push_back(statement.entry);
+  return names;
 }
 
 void ParameterFile::read(dealii::ParameterHandler& prm) const
@@ -200,10 +221,10 @@ void ParameterFile::read(dealii::ParameterHandler& prm) const
         complain(statement.line, where + ", entry '" + statement.entry + "': " + error.what());
       }
   }
-  Complaints complaints;
+  InputErrors errors;
   for (const auto& entry : found)
-    complaints.add(entry.second);
-  complaints.raise();
+    errors.add(entry.second);
+  errors.raise();
 }
 
 std::string ParameterFile::place(const unsigned int line,

@@ -1,5 +1,5 @@
-#include <thelma/base/complaints.h>
 #include <thelma/base/error.h>
+#include <thelma/base/input_errors.h>
 #include <thelma/base/parameters.h>
 #include <thelma/base/quantity.h>
 #include <thelma/fields/boundary_conditions.h>
@@ -55,13 +55,13 @@ void BoundaryConditions<dim>::declare(dealii::ParameterHandler& prm)
 template <int dim>
 void BoundaryConditions<dim>::setup(const Mesh<dim>& mesh, const DofLayout<dim>& layout)
 {
-  Complaints complaints;
-  const bool has_supports = complaints.allow([&]() { fix_supports(mesh, layout); });
-  if (complaints.allow([&]() { fix_moved_supports(mesh, layout); }) && has_supports)
-    complaints.allow([&]() { require_held(mesh); });
-  complaints.allow([&]() { electrode_set.setup(mesh, layout); });
-  complaints.allow([&]() { fix_temperatures(mesh, layout); });
-  complaints.raise();
+  InputErrors errors;
+  const bool has_supports = errors.collect([&]() { fix_supports(mesh, layout); });
+  if (errors.collect([&]() { fix_moved_supports(mesh, layout); }) && has_supports)
+    errors.collect([&]() { require_held(mesh); });
+  errors.collect([&]() { electrode_set.setup(mesh, layout); });
+  errors.collect([&]() { fix_temperatures(mesh, layout); });
+  errors.raise();
   collect_driven();
 
   owned = layout.dof_handler().locally_owned_dofs();
@@ -93,15 +93,15 @@ template <int dim>
 void BoundaryConditions<dim>::fix_supports(const Mesh<dim>& mesh, const DofLayout<dim>& layout)
 {
   const std::string place = "section Supports, entry 'Fixed'";
-  Complaints complaints;
+  InputErrors errors;
   for (const auto& [surface, components] : supports)
-    complaints.allow([&, &surface = surface, &components = components]() {
+    errors.collect([&, &surface = surface, &components = components]() {
       for (const unsigned int c : components_named<dim>(components))
         fix(mesh, layout, surface, place, c, 0., fixed_dofs);
     });
   if (supports.empty())
-    complaints.add(place + ": the body is free to move; fix enough components to hold it");
-  complaints.raise();
+    errors.add(place + ": the body is free to move; fix enough components to hold it");
+  errors.raise();
 }
 
 template <int dim>
@@ -113,10 +113,10 @@ void BoundaryConditions<dim>::require_held(const Mesh<dim>& mesh) const
       motions.hold(surface, c);
   for (const auto& [surface, text] : moved_supports)
     motions.hold(surface, parse_move<dim>(text).first);
-  Complaints complaints;
+  InputErrors errors;
   for (const std::string& sentence : motions.remaining())
-    complaints.add("section Supports, entry 'Fixed': " + sentence);
-  complaints.raise();
+    errors.add("section Supports, entry 'Fixed': " + sentence);
+  errors.raise();
 }
 
 template <int dim>

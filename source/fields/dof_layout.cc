@@ -1,5 +1,5 @@
-#include <thelma/base/complaints.h>
 #include <thelma/base/error.h>
+#include <thelma/base/input_errors.h>
 #include <thelma/base/parameters.h>
 #include <thelma/fields/dof_layout.h>
 #include <thelma/fields/duplicates.h>
@@ -37,20 +37,20 @@ template <int dim>
 void DofLayout<dim>::setup(const Mesh<dim>& mesh, const MaterialLibrary& materials)
 {
   const std::vector<std::string>& regions = mesh.regions();
-  Complaints complaints;
+  InputErrors errors;
   const auto require_region = [&](const std::string& entry, const std::string& name) {
     if (std::find(regions.begin(), regions.end(), name) == regions.end())
-      complaints.add("section Regions, entry '" + entry + "': the mesh has no region '" + name +
-                     "'" + known_ones(name, regions));
+      errors.add("section Regions, entry '" + entry + "': the mesh has no region '" + name + "'" +
+                 did_you_mean(name, regions));
   };
   for (const std::string& name : passive_regions)
     require_region("Passive", name);
   for (const std::string& name : materials.regions())
     require_region("Materials", name);
-  complaints.raise(); // a region whose name is misspelt has no material
+  errors.raise(); // a region whose name is misspelt has no material
   for (const std::string& name : regions)
-    complaints.allow([&]() { materials.of_region(name); });
-  complaints.raise();
+    errors.collect([&]() { materials.of_region(name); });
+  errors.raise();
 
   const auto is_passive = [&](const std::string& region) {
     return std::find(passive_regions.begin(), passive_regions.end(), region) !=

@@ -1,5 +1,5 @@
-#include <thelma/base/complaints.h>
 #include <thelma/base/error.h>
+#include <thelma/base/input_errors.h>
 #include <thelma/base/parameters.h>
 #include <thelma/base/units.h>
 #include <thelma/fields/electrodes.h>
@@ -73,24 +73,24 @@ void Electrodes<dim>::setup(const Mesh<dim>& mesh, const DofLayout<dim>& layout)
                                "electrodes or make a region active");
     return;
   }
-  Complaints complaints;
+  InputErrors errors;
   const auto is_ground = [](const auto& electrode) { return electrode.second == 0.; };
   if (std::none_of(driven.begin(), driven.end(), is_ground))
-    complaints.add(place + ": there is no ground electrode; give one surface the potential 0");
+    errors.add(place + ": there is no ground electrode; give one surface the potential 0");
   for (const auto& [name, multiple] : driven)
-    complaints.allow([&, &name = name, &multiple = multiple]() {
+    errors.collect([&, &name = name, &multiple = multiple]() {
       add(mesh, layout, {name, {}, multiple, 0., 0., false}, place);
     });
   const std::string floating_place = "section Electrodes, entry 'Floating'";
   for (const auto& [name, multiple] : floating)
-    complaints.allow([&, &name = name, &multiple = multiple]() {
+    errors.collect([&, &name = name, &multiple = multiple]() {
       if (driven.count(name) > 0)
         throw InputError(floating_place + ": electrode '" + name +
                          "' is in the entry 'Potential', too; it either floats or has a given "
                          "potential");
       add(mesh, layout, {name, {}, 1., multiple, 0., true}, floating_place);
     });
-  complaints.raise();
+  errors.raise();
 }
 
 template <int dim>
@@ -139,7 +139,7 @@ const Electrode& Electrodes<dim>::named(const std::string& name, const std::stri
       return electrode;
     known.push_back(electrode.name);
   }
-  throw InputError(place + ": there is no electrode '" + name + "'" + known_ones(name, known));
+  throw InputError(place + ": there is no electrode '" + name + "'" + did_you_mean(name, known));
 }
 
 template <int dim>

@@ -1,4 +1,4 @@
-#include <thelma/base/complaints.h>
+#include <thelma/base/input_errors.h>
 #include <thelma/base/parameters.h>
 #include <thelma/base/quantity.h>
 #include <thelma/fields/outer_faces.h>
@@ -70,12 +70,12 @@ public:
     if (!is_present())
       return;
     forces = input.layout.new_vector();
-    Complaints complaints;
+    InputErrors errors;
     for (const auto& [surface, text] : texts)
-      complaints.allow([&, &surface = surface, &text = text]() {
+      errors.collect([&, &surface = surface, &text = text]() {
         add(input.mesh, input.layout, surface, parse_force<dim>(text));
       });
-    complaints.raise();
+    errors.raise();
   }
 
   bool is_present() const override { return !texts.empty(); }

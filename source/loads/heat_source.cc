@@ -34,7 +34,7 @@ public:
     for (const auto& [name, source] : sources)
       if (std::find(regions.begin(), regions.end(), name) == regions.end())
         throw InputError(entry().place() + ": the mesh has no region '" + name + "'" +
-                         known_ones(name, regions));
+                         did_you_mean(name, regions));
     powers = this->layout->new_vector();
     add_nodal_integrals<dim>(
         *this->layout, Field::temperature,

@@ -1,5 +1,5 @@
-#include <thelma/base/complaints.h>
 #include <thelma/base/error.h>
+#include <thelma/base/input_errors.h>
 #include <thelma/base/option_names.h>
 #include <thelma/base/parameters.h>
 #include <thelma/base/quantity.h>
@@ -60,17 +60,17 @@ void Loading::declare(dealii::ParameterHandler& prm)
 void Loading::setup(const MaterialLibrary& materials, const double theta,
                     const std::vector<std::string>& loads)
 {
-  Complaints complaints;
+  InputErrors errors;
   double target = 0.;
-  complaints.allow([&]() {
+  errors.collect([&]() {
     const Material& film = film_of(materials);
     field_per_voltage =
         std::sqrt(film.permittivity(theta) / film.shear_modulus(theta)) / film_thickness;
   });
-  complaints.allow([&]() { target = read_target(); });
-  complaints.allow(
+  errors.collect([&]() { target = read_target(); });
+  errors.collect(
       [&]() { all_stages.read(loads, control == Control::charge ? "charge" : "voltage"); });
-  complaints.raise();
+  errors.raise();
   const auto index = [&](const std::string& name) {
     return static_cast<std::size_t>(std::find(loads.begin(), loads.end(), name) - loads.begin());
   };

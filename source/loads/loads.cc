@@ -1,5 +1,5 @@
-#include <thelma/base/complaints.h>
 #include <thelma/base/error.h>
+#include <thelma/base/input_errors.h>
 #include <thelma/base/parameters.h>
 #include <thelma/loads/load_list.h>
 #include <thelma/loads/loads.h>
@@ -57,13 +57,13 @@ template <int dim>
 void Loads<dim>::setup(const LoadInput<dim>& input)
 {
   conditions = input.conditions;
-  Complaints complaints;
+  InputErrors errors;
   for (std::size_t i = 0; i < items.size(); ++i) {
-    complaints.allow([&]() { items[i].load->setup(input); });
+    errors.collect([&]() { items[i].load->setup(input); });
     if (input.loading != nullptr)
       items[i].last = input.loading->stages().last_level(i).value_or(1.);
   }
-  complaints.raise();
+  errors.raise();
 }
 
 template <int dim>
@@ -152,9 +152,9 @@ std::vector<double> Loads<dim>::heated_to(const double level) const
 template <int dim>
 void Loads<dim>::read_amplitudes(const std::optional<double> end)
 {
-  Complaints complaints;
+  InputErrors errors;
   for (GivenAmplitude& given : amplitudes)
-    complaints.allow([&]() {
+    errors.collect([&]() {
       given.amplitude.emplace("section Time, entry '" + given.entry() + "'", given.text);
       if (!end)
         return;
@@ -162,7 +162,7 @@ void Loads<dim>::read_amplitudes(const std::optional<double> end)
       times.kinks.insert(times.kinks.end(), found.kinks.begin(), found.kinks.end());
       times.bends.insert(times.bends.end(), found.bends.begin(), found.bends.end());
     });
-  complaints.raise();
+  errors.raise();
 }
 
 template <int dim>

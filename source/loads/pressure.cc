@@ -1,4 +1,4 @@
-#include <thelma/base/complaints.h>
+#include <thelma/base/input_errors.h>
 #include <thelma/base/parameters.h>
 #include <thelma/base/quantity.h>
 #include <thelma/fields/deformed_surface.h>
@@ -30,15 +30,15 @@ public:
   void setup(const LoadInput<dim>& input) override
   {
     layout = &input.layout;
-    Complaints complaints;
+    InputErrors errors;
     for (const auto& [name, pressure] : values)
-      complaints.allow([&, &name = name, &pressure = pressure]() {
+      errors.collect([&, &name = name, &pressure = pressure]() {
         surfaces.push_back({pressure, {}});
         surfaces.back().surface.setup(input.mesh, *layout, name, entry().place());
         if (input.conditions != nullptr)
           check_edges(input.mesh, *layout, *input.conditions, name, entry().place());
       });
-    complaints.raise();
+    errors.raise();
   }
 
   bool is_present() const override { return !values.empty(); }

@@ -218,7 +218,7 @@ const Material& MaterialLibrary::named(const std::string& name, const std::strin
   const auto found = materials.find(name);
   if (found != materials.end())
     return *found->second.material;
-  throw InputError(place + ": unknown material '" + name + "'" + known_ones(name, names()));
+  throw InputError(place + ": unknown material '" + name + "'" + did_you_mean(name, names()));
 }
 
 std::vector<std::string> MaterialLibrary::names() const

@@ -1,4 +1,4 @@
-#include <thelma/base/complaints.h>
+#include <thelma/base/input_errors.h>
 #include <thelma/mesh/gmsh_parameters.h>
 
 #include <boost/property_tree/json_parser.hpp>
@@ -49,15 +49,15 @@ void set_parameters(const std::string& file, const std::map<std::string, double>
     return n.find('/') != std::string::npos;
   };
   known.erase(std::remove_if(known.begin(), known.end(), belongs_to_gmsh), known.end());
-  Complaints complaints;
+  InputErrors errors;
   for (const auto& [name, value] : parameters)
-    complaints.allow([&, &name = name, &value = value]() {
+    errors.collect([&, &name = name, &value = value]() {
       if (std::find(known.begin(), known.end(), name) == known.end())
         throw InputError("section Mesh, entry 'Parameters': '" + file + "' has no parameter '" +
-                         name + "'" + known_ones(name, known));
+                         name + "'" + did_you_mean(name, known));
       require_allowed(file, name, value);
     });
-  complaints.raise();
+  errors.raise();
   gmsh::clear();
   gmsh::option::setNumber("Mesh.ScalingFactor", 1.); // the file may not set it with these
   for (const auto& [name, value] : parameters)

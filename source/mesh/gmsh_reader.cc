@@ -1,5 +1,5 @@
 #include <thelma/base/child_process.h>
-#include <thelma/base/complaints.h>
+#include <thelma/base/input_errors.h>
 #include <thelma/base/memory.h>
 #include <thelma/mesh/gmsh_parameters.h>
 #include <thelma/mesh/gmsh_reader.h>

@@ -156,7 +156,7 @@ const std::vector<typename Mesh<dim>::Entity>& Mesh<dim>::surface(const std::str
   const auto found = surfaces.find(name);
   if (found == surfaces.end())
     throw InputError(place + ": the mesh has no surface '" + name + "'" +
-                     known_ones(name, surface_names()));
+                     did_you_mean(name, surface_names()));
   if (table.surfaces.at(name).empty())
     throw InputError(place + ": surface '" + name + "' touches no cell");
   return found->second;

@@ -1,4 +1,4 @@
-#include <thelma/base/complaints.h>
+#include <thelma/base/input_errors.h>
 #include <thelma/base/wording.h>
 #include <thelma/mesh/physical_groups.h>
 
@@ -73,14 +73,13 @@ std::string listed(const Groups& groups)
 
 void require_one_group_a_name(const std::string& file)
 {
-  Complaints complaints;
+  InputErrors errors;
   for (const auto& names : {names_of_msh(file), names_of_model()})
     for (const auto& [name, groups] : names)
       if (groups.size() > 1)
-        complaints.add(place + "'" + file + "' gives the same name, '" + name +
-                       "', to the physical " + listed(groups) +
-                       "; give each its own name, or merge them into one group");
-  complaints.raise();
+        errors.add(place + "'" + file + "' gives the same name, '" + name + "', to the physical " +
+                   listed(groups) + "; give each its own name, or merge them into one group");
+  errors.raise();
 }
 
 /// A partitioned mesh gives what lies between its parts to groups of the number of the whole.
@@ -99,15 +98,15 @@ void require_names(const std::string& file, const int dim)
 {
   gmsh::vectorpair groups;
   gmsh::model::getPhysicalGroups(groups);
-  Complaints complaints;
+  InputErrors errors;
   for (const auto& [dimension, tag] : groups) {
     std::string name;
     gmsh::model::getPhysicalName(dimension, tag, name);
     if (name.empty() && dimension <= dim && !is_end_of_partition(dimension, tag))
-      complaints.add(place + "the physical " + kind_name(dimension) + " " + std::to_string(tag) +
-                     " of '" + file + "' has no name; give it one, or remove it");
+      errors.add(place + "the physical " + kind_name(dimension) + " " + std::to_string(tag) +
+                 " of '" + file + "' has no name; give it one, or remove it");
   }
-  complaints.raise();
+  errors.raise();
 }
 
 std::size_t n_elements(const int dimension, const int entity)

@@ -41,15 +41,15 @@ bool flush(const std::string& name)
 
 } // namespace
 
-std::string Checkpoints::name(const unsigned int place) const
+std::string Checkpoints::name(const unsigned int slot) const
 {
-  return folder + "/checkpoint." + std::to_string(place);
+  return folder + "/checkpoint." + std::to_string(slot);
 }
 
 void Checkpoints::write(const std::string& content)
 {
   std::vector<std::string> damaged;
-  if (!searched)
+  if (!has_searched)
     find_newest(damaged);
   const std::uint64_t number = newest ? *newest + 1 : 0;
   const std::string file = name(number % 2), temporary = folder + "/checkpoint.part";
@@ -93,13 +93,13 @@ std::optional<Checkpoints::Content> Checkpoints::content(const std::string& file
 void Checkpoints::find_newest(std::vector<std::string>& damaged)
 {
   newest.reset();
-  searched = true;
-  for (const unsigned int place : {0u, 1u}) {
+  has_searched = true;
+  for (const unsigned int slot : {0u, 1u}) {
     std::error_code unreachable;
-    if (!std::filesystem::exists(name(place), unreachable))
+    if (!std::filesystem::exists(name(slot), unreachable))
       continue;
-    if (const auto found = content(name(place)); !found || found->number % 2 != place)
-      damaged.push_back(name(place));
+    if (const auto found = content(name(slot)); !found || found->number % 2 != slot)
+      damaged.push_back(name(slot));
     else if (!newest || found->number > *newest)
       newest = found->number;
   }
@@ -113,7 +113,7 @@ std::optional<std::string> Checkpoints::read(std::vector<std::string>& damaged)
   return content(newest_file())->text;
 }
 
-bool Checkpoints::exist() const
+bool Checkpoints::has_any() const
 {
   std::error_code unreachable;
   return std::filesystem::exists(name(0), unreachable) ||

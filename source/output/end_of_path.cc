@@ -105,7 +105,7 @@ double part_within_cells(const DofLayout<dim>& layout, BlockVector& mode)
 }
 
 template <int dim>
-std::string describe_field(const Scene<dim>& scene)
+std::string describe_field(const ObservableInput<dim>& scene)
 {
   constexpr double weak = 1e-2; // against the largest nominal field
   Points<dim> points;
@@ -137,7 +137,7 @@ template std::string describe_mode(const DofLayout<2>&, BlockVector&);
 template std::string describe_mode(const DofLayout<3>&, BlockVector&);
 template double part_within_cells(const DofLayout<2>&, BlockVector&);
 template double part_within_cells(const DofLayout<3>&, BlockVector&);
-template std::string describe_field(const Scene<2>&);
-template std::string describe_field(const Scene<3>&);
+template std::string describe_field(const ObservableInput<2>&);
+template std::string describe_field(const ObservableInput<3>&);
 
 } // namespace thelma

@@ -31,7 +31,7 @@ template <int dim>
 class PointQuantities final : public dealii::DataPostprocessor<dim>
 {
 public:
-  explicit PointQuantities(const Scene<dim>& scene)
+  explicit PointQuantities(const ObservableInput<dim>& scene)
       : scene(scene),
         points(dealii::QTrapezoid<1>(), scene.layout.degree()) // as DataOut subdivides cells
   {
@@ -128,7 +128,7 @@ private:
     return element.pressure(view, points.point(q), state);
   }
 
-  const Scene<dim>& scene;
+  const ObservableInput<dim>& scene;
   dealii::QIterated<dim> points;
   std::map<unsigned int, std::size_t> index_of; ///< active cell -> own cell
   std::vector<unsigned int> nearest; ///< of the points that remember, to each of the output
@@ -174,7 +174,7 @@ void FieldWriter<dim>::remove_old(const std::string& folder)
 }
 
 template <int dim>
-void FieldWriter<dim>::write(const Scene<dim>& scene, const std::string& folder,
+void FieldWriter<dim>::write(const ObservableInput<dim>& scene, const std::string& folder,
                              const unsigned int step, const double load, const bool last)
 {
   if (frequency == Frequency::none || (frequency == Frequency::every) == last)
@@ -212,7 +212,7 @@ void FieldWriter<dim>::write_list(const MPI_Comm comm, const std::string& folder
 }
 
 template <int dim>
-void FieldWriter<dim>::write_mode(const Scene<dim>& scene, const std::string& folder,
+void FieldWriter<dim>::write_mode(const ObservableInput<dim>& scene, const std::string& folder,
                                   BlockVector mode)
 {
   if (frequency == Frequency::none)

@@ -46,7 +46,7 @@ void Expectations::setup(const std::vector<std::string>& columns, const double t
   for (const auto& [column, expression] : values) {
     if (std::find(columns.begin(), columns.end(), column) == columns.end())
       throw InputError(place + ": the curve has no column '" + column + "'" +
-                       known_ones(column, columns));
+                       did_you_mean(column, columns));
     const Formula<1> formula(place + ", " + column, expression, "theta");
     expected[column] = formula(dealii::Point<1>(theta));
     if (!std::isfinite(expected[column]))

@@ -39,7 +39,7 @@ template <int dim>
 template <class Archive>
 void Checkpoint<dim>::serialize(Archive& archive)
 {
-  archive& phases& outcome& model.state& model.loads& strategies& model.predictor& results;
+  archive& phases& outcome& model.state& model.loads& strategies& model.predictor& output;
   serialize_electrodes(archive);
 }
 

@@ -40,29 +40,29 @@ void Model<dim>::declare(dealii::ParameterHandler& prm)
 template <int dim>
 typename Model<dim>::Parts
 Model<dim>::check(const std::string& folder,
-                  const std::function<void(const WholeMesh<dim>&)>& visit, Complaints& found)
+                  const std::function<void(const WholeMesh<dim>&)>& visit, InputErrors& found)
 {
   Parts stand;
   bool has_loading = false;
   double theta_start = theta;
-  if (found.allow([&]() { materials.check(theta); })) {
-    found.allow([&]() { theta_start = materials.reference_temperature(); });
-    has_loading = found.allow([&]() { loading.setup(materials, theta, loads.stage_names()); });
+  if (found.collect([&]() { materials.check(theta); })) {
+    found.collect([&]() { theta_start = materials.reference_temperature(); });
+    has_loading = found.collect([&]() { loading.setup(materials, theta, loads.stage_names()); });
   }
-  const bool has_mesh = found.allow([&]() {
+  const bool has_mesh = found.collect([&]() {
     const auto timer = timings.measure("mesh");
     mesh.read(folder, visit);
   });
-  stand.layout = has_mesh && found.allow([&]() { layout.setup(mesh, materials); });
+  stand.layout = has_mesh && found.collect([&]() { layout.setup(mesh, materials); });
   if (!stand.layout)
     return stand;
-  stand.conditions = found.allow([&]() { conditions.setup(mesh, layout); });
-  const bool has_loads = found.allow([&]() {
+  stand.conditions = found.collect([&]() { conditions.setup(mesh, layout); });
+  const bool has_loads = found.collect([&]() {
     loads.setup({mesh, layout, stand.conditions ? &conditions : nullptr,
                  has_loading ? &loading : nullptr, theta_start, theta});
   });
   if (stand.conditions && has_loading && has_loads)
-    found.allow([&]() { loads.check(loading.stages()); });
+    found.collect([&]() { loads.check(loading.stages()); });
   if (stand.conditions)
     storage.setup(layout, conditions);
   return stand;

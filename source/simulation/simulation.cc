@@ -19,12 +19,12 @@ template <int dim>
 Simulation<dim>::Simulation(const MPI_Comm comm, const ParameterFile& file, std::string folder,
                             std::ostream& console)
     : scene_folder(std::filesystem::path(file.name()).parent_path().string()),
-      results(comm, file, std::move(folder), console, timings), model(comm, file, timings),
+      output(comm, file, std::move(folder), console, timings), model(comm, file, timings),
       strategies(model), phases(model, strategies)
 {
   outcome.ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
   declare();
-  complaints.allow([&]() { file.read(prm); });
+  errors.collect([&]() { file.read(prm); });
 }
 
 template <int dim>
@@ -34,16 +34,16 @@ void Simulation<dim>::declare()
                     dealii::Patterns::Integer(2, 3));
   model.declare(prm);
   strategies.declare(prm);
-  results.declare(prm);
+  output.declare(prm);
 }
 
 template <int dim>
 void Simulation<dim>::setup(const std::string& picture_folder)
 {
-  Complaints found;
+  InputErrors found;
   check(picture_folder, found);
-  complaints.add_unexplained(found);
-  complaints.raise();
+  errors.add_unexplained(found);
+  errors.raise();
   model.setup();
 
   outcome.modelled = model.summary();
@@ -52,7 +52,7 @@ void Simulation<dim>::setup(const std::string& picture_folder)
   };
   if (model.layout.is_transient())
     tell(strategies.time_steps.summary());
-  tell(results.remarks());
+  tell(output.remarks());
   tell(unused_entries(prm, model, strategies.follow_path()));
   outcome.cells = model.mesh.n_cells();
   outcome.imbalance = imbalance(model.layout, model.system.linear.matrix());
@@ -62,7 +62,7 @@ void Simulation<dim>::setup(const std::string& picture_folder)
 }
 
 template <int dim>
-void Simulation<dim>::check(const std::string& picture_folder, Complaints& found)
+void Simulation<dim>::check(const std::string& picture_folder, InputErrors& found)
 {
   const auto draw = [&](const WholeMesh<dim>& mesh) {
     if (picture_folder.empty())
@@ -74,7 +74,7 @@ void Simulation<dim>::check(const std::string& picture_folder, Complaints& found
     } catch (const std::runtime_error&) { // nothing is wrong with the scene
     }
   };
-  const bool has_amplitudes = found.allow([&]() {
+  const bool has_amplitudes = found.collect([&]() {
     model.loads.read_amplitudes(model.layout.is_transient()
                                     ? std::optional<double>(strategies.time_steps.final_time())
                                     : std::nullopt);
@@ -84,13 +84,13 @@ void Simulation<dim>::check(const std::string& picture_folder, Complaints& found
   if (!stand.layout)
     return;
   if (has_amplitudes && stand.conditions && model.layout.is_transient())
-    found.allow([&]() { model.loads.check_levels(strategies.time_steps.final_time()); });
+    found.collect([&]() { model.loads.check_levels(strategies.time_steps.final_time()); });
   strategies.check(stand.conditions, found);
-  if (found.allow([&]() { strategies.choose_solvers(); }))
-    found.allow([&]() { results.setup(scene(), model.theta); });
-  found.allow([&]() {
+  if (found.collect([&]() { strategies.choose_solvers(); }))
+    found.collect([&]() { output.setup(observable_input(), model.theta); });
+  found.collect([&]() {
     for (const auto& entry : model.loading.until())
-      results.require_column(entry.first, "section Loading, entry 'Until'");
+      output.require_column(entry.first, "section Loading, entry 'Until'");
   });
 }
 
@@ -104,16 +104,16 @@ std::string Simulation<dim>::parameters() const
 }
 
 template <int dim>
-bool Simulation<dim>::finished() const
+bool Simulation<dim>::is_finished() const
 {
-  complaints.raise();
-  return results.finished(parameters(), {model.mesh.path(scene_folder), "/proc/self/exe"});
+  errors.raise();
+  return output.is_finished(parameters(), {model.mesh.path(scene_folder), "/proc/self/exe"});
 }
 
 template <int dim>
 Outcome Simulation<dim>::run()
 {
-  results.start(parameters(), outcome, model.theta, resumes);
+  output.start(parameters(), outcome, model.theta, resumes);
   try {
     for (; phases.remain() && outcome.has_reached_target(); phases.go_on())
       run_phase();
@@ -127,7 +127,7 @@ Outcome Simulation<dim>::run()
       model.state.restore();
     outcome.end(EndReason::out_of_memory, error.what());
   }
-  results.finish(scene(), outcome);
+  output.finish(observable_input(), outcome);
   return outcome;
 }
 
@@ -170,7 +170,7 @@ StepsEnd Simulation<dim>::follow_arc()
   if (!phases.is_heating())
     for (const auto& [column, value] : model.loading.until())
       remainder = [this, column = column, value = value]() {
-        return results.value(scene(), column) - value;
+        return output.value(observable_input(), column) - value;
       };
   phases.follow_arc(remainder);
   const StepsEnd end = follow(strategies.arc_length);
@@ -184,8 +184,8 @@ StepsEnd Simulation<dim>::follow_arc()
 template <int dim>
 void Simulation<dim>::end_phase(const StepsEnd end, const bool was_on_arc)
 {
-  const Scene<dim> now = scene();
-  Verdict<dim> verdict(model, strategies, results, outcome, now);
+  const ObservableInput<dim> now = observable_input();
+  Verdict<dim> verdict(model, strategies, output, outcome, now);
   if (end == StepsEnd::target) {
     phases.finish();
     if (phases.is_heating()) {
@@ -230,10 +230,10 @@ void Simulation<dim>::add_row(const StepReport& step, const std::string& event)
                                                                : target == 0.
                                                                    ? 1.
                                                                    : state.voltage / target;
-  results.add(scene(),
-              {phases.first_load() + load, model.loading.field(state.voltage), step.next_step,
-               step.part, step.unstable_directions, event},
-              step.newton);
+  output.add(observable_input(),
+             {phases.first_load() + load, model.loading.field(state.voltage), step.next_step,
+              step.part, step.unstable_directions, event},
+             step.newton);
   if (!phases.is_on_arc())
     state.unstable_directions = step.unstable_directions;
 }
@@ -244,19 +244,19 @@ bool Simulation<dim>::should_stop()
   const MPI_Comm comm = model.layout.communicator();
   // The clocks of the ranks differ.
   const bool is_due =
-      dealii::Utilities::MPI::this_mpi_process(comm) == 0 && results.checkpoint_is_due();
+      dealii::Utilities::MPI::this_mpi_process(comm) == 0 && output.checkpoint_is_due();
   const int wish = dealii::Utilities::MPI::max(stop_requested() ? 2 : is_due ? 1 : 0, comm);
   if (wish > 0)
-    results.write_checkpoint(checkpoint().content());
+    output.write_checkpoint(checkpoint().content());
   if (wish == 2)
-    outcome.end(EndReason::stopped, "; " + results.advice());
+    outcome.end(EndReason::stopped, "; " + output.advice());
   return wish == 2;
 }
 
 template <int dim>
 bool Simulation<dim>::resume(const bool if_it_fits)
 {
-  const std::optional<std::string> content = results.read_checkpoint(
+  const std::optional<std::string> content = output.read_checkpoint(
       if_it_fits ? std::vector<std::string>{"/proc/self/exe"} : std::vector<std::string>());
   return resumes = content && checkpoint().restore(*content, if_it_fits);
 }
@@ -264,11 +264,11 @@ bool Simulation<dim>::resume(const bool if_it_fits)
 template <int dim>
 Checkpoint<dim> Simulation<dim>::checkpoint()
 {
-  return {parameters(), model.mesh.path(scene_folder), model, strategies, phases, outcome, results};
+  return {parameters(), model.mesh.path(scene_folder), model, strategies, phases, outcome, output};
 }
 
 template <int dim>
-Scene<dim> Simulation<dim>::scene()
+ObservableInput<dim> Simulation<dim>::observable_input()
 {
   DiscreteSystem<dim>& solved = strategies.time_steps.system();
   return {model.materials, model.mesh,    model.layout, model.conditions,

@@ -25,10 +25,10 @@ void Strategies<dim>::declare(dealii::ParameterHandler& prm)
 }
 
 template <int dim>
-void Strategies<dim>::check(const bool has_conditions, Complaints& found)
+void Strategies<dim>::check(const bool has_conditions, InputErrors& found)
 {
   const auto in_time = [&]() { return model.layout.is_transient(); };
-  found.allow([&]() {
+  found.collect([&]() {
     if (follow_path() && in_time())
       throw InputError("section Stepping, entry 'Continuation': in time there is no load to be "
                        "found; choose load");
@@ -40,11 +40,11 @@ void Strategies<dim>::check(const bool has_conditions, Complaints& found)
                        "Stepping/Continuation to automatic, or remove the entry");
   });
   if (model.layout.has(Field::temperature))
-    found.allow([&]() {
+    found.collect([&]() {
       model.materials.check_heat(model.layout.has_transient_temperature(), time_steps.makes_heat());
     });
   if (has_conditions)
-    found.allow([&]() { arc_length.setup(model.mesh, model.layout, model.conditions); });
+    found.collect([&]() { arc_length.setup(model.mesh, model.layout, model.conditions); });
 }
 
 template <int dim>

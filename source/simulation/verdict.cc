@@ -70,7 +70,7 @@ void Verdict<dim>::on_bifurcation(const std::string& between, BlockVector& mode)
     if (part_within_cells(model.layout, mode) > of_cells)
       outcome.reason += ", and alternates from cell to cell or within cells: suspect the element "
                         "and confirm with a finer mesh, or another formulation (doc/elements.md)";
-    results.add_mode(scene, mode);
+    output.add_mode(scene, mode);
   }
   outcome.reason += far_gone();
 }
@@ -116,7 +116,7 @@ template <int dim>
 void Verdict<dim>::end_here(const EndReason why, const std::string& details)
 {
   outcome.end(why, details);
-  results.set_event(ending_of(why).event);
+  output.set_event(ending_of(why).event);
 }
 
 /// How far a body whose end is not classified has gone, for the reason of the outcome.

@@ -3,7 +3,7 @@
     observables.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
 
 Films that are heated, charged and held against expansion: in space in one direction, in the plane
-in both.
+in both. Two observables of one kind in a scene have the numbers that each has alone.
 """
 
 import json
@@ -96,10 +96,38 @@ def check_shared_edges(program, folder):
             "an edge that two supports hold is not told of")
 
 
+def check_free_names(program, folder):
+    """Two probes and two reactions in one scene against scenes with one of each."""
+    surfaces = {"above": "top", "beside": "x1_max"}
+    held = {"Supports/Fixed": "x1_min: u1, x1_max: u1, x2_min: u2, bottom: u3",
+            "Loading/Target": "0.5", "Loading/Expected end": "target",
+            "Expectations/Final values": ""}
+    entries = {**held, "Output/Observables": "lambda_3, " + ", ".join(
+        f"{name}_{kind}" for kind in ("probe", "reaction") for name in surfaces)}
+    for name, surface in surfaces.items():
+        for kind in ("probe", "reaction"):
+            entries[f"Observables/{name}_{kind}/Kind"] = kind
+            entries[f"Observables/{name}_{kind}/At"] = surface
+    both = program.run("planar_actuator", Path(folder) / "both", *settings(entries)).curve()
+    for name, surface in surfaces.items():
+        alone = program.run("planar_actuator", Path(folder) / name, *settings(
+            {**held, "Output/Observables": "lambda_3, probe, reaction",
+             "Observables/probe/At": surface, "Observables/reaction/At": surface})).curve()
+        columns = ["probe_phi_kV", *(f"reaction_f{i}_N" for i in (1, 2, 3))]
+        for column in columns:
+            require(np.array_equal(alone[column], both[f"{name}_{column}"]),
+                    f"{name}_{column} is {both[f'{name}_{column}']}, alone {alone[column]}")
+        require(len(both) == len(alone) + len(columns), f"the curve has the columns {list(both)}")
+    for column in ("probe_phi_kV", "reaction_f1_N"):
+        require(both[f"above_{column}"][-1] != both[f"beside_{column}"][-1],
+                f"{column} is the same at both surfaces")
+
+
 def main():
     program, all_ranks = program_and_ranks(__doc__)
     with tempfile.TemporaryDirectory() as folder:
         check_shared_edges(program, folder)
+        check_free_names(program, folder)
         for ranks in all_ranks:
             case = program.run("planar_actuator", Path(folder), *SPACE, ranks=ranks)
             check(f"space, {ranks} ranks", case, [1, 2], thickness=1.0, area=5.0,

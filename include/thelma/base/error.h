@@ -61,7 +61,7 @@ std::string comma_separated(const std::vector<std::string>& words);
 std::string closest(const std::string& word, const std::vector<std::string>& known);
 
 /// `; did you mean 'b'? Known: a, b, c`, the end of a sentence about an unknown @p word.
-std::string known_ones(const std::string& word, const std::vector<std::string>& known);
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);
 
 /// Run @p action on rank 0 of @p comm alone and let every rank throw the InputError or WriteError
 /// it may have thrown.

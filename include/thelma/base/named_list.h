@@ -2,6 +2,7 @@
 
 #include <thelma/base/error.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -16,14 +17,15 @@ struct Choice {
   std::string name, meaning;
 };
 
-/// What a .prm can choose by name: each choice with a factory. The lists are written out in one
-/// visible place each (`*list.cc`); an unknown name is answered with the known ones.
-template <typename Base>
+/// What a .prm can choose by name: each choice with a factory, which takes @p Arguments. The lists
+/// are written out in one visible place each (`*list.cc`); an unknown name is answered with the
+/// known ones.
+template <typename Base, typename... Arguments>
 class NamedList
 {
 public:
   struct Entry : Choice {
-    std::function<std::unique_ptr<Base>()> factory;
+    std::function<std::unique_ptr<Base>(Arguments...)> factory;
   };
 
   /// @p kind begins the sentence about an unknown name, e.g. "unknown observable".
@@ -32,12 +34,20 @@ public:
   {
   }
 
-  std::unique_ptr<Base> create(const std::string& name) const
+  /// Throws InputError if the name is unknown.
+  std::unique_ptr<Base> create(const std::string& name, const Arguments&... arguments) const
   {
-    for (const Entry& entry : entries)
-      if (entry.name == name)
-        return entry.factory();
-    throw InputError(kind + " '" + name + "'" + known_ones(name, names()));
+    require(name);
+    return find(name)->factory(arguments...);
+  }
+
+  bool has(const std::string& name) const { return find(name) != entries.end(); }
+
+  /// Throws InputError if the name is unknown.
+  void require(const std::string& name) const
+  {
+    if (!has(name))
+      throw InputError(kind + " '" + name + "'" + did_you_mean(name, names()));
   }
 
   std::vector<std::string> names() const
@@ -51,6 +61,12 @@ public:
   std::vector<Choice> choices() const { return {entries.begin(), entries.end()}; }
 
 private:
+  typename std::vector<Entry>::const_iterator find(const std::string& name) const
+  {
+    return std::find_if(entries.begin(), entries.end(),
+                        [&](const Entry& entry) { return entry.name == name; });
+  }
+
   std::string kind;
   std::vector<Entry> entries;
 };

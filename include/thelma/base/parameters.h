@@ -35,7 +35,7 @@ public:
   /// Throws InputError if the file cannot be read.
   ParameterFile(std::string path, const std::vector<Override>& overrides);
 
-  /// The same from memory, as if it were the file @p name; complaints name the file @p shown.
+  /// The same from memory, as if it were the file @p name; errors name the file @p shown.
   static ParameterFile from_text(const std::string& text, const std::string& name = "parameters",
                                  const std::string& shown = "");
 
@@ -49,7 +49,13 @@ public:
   /// Whether anything is set in the section @p path.
   bool has_section(const std::vector<std::string>& path) const;
 
-  /// A complaint about a section with file and line before it; any other as it is.
+  /// Names of the sections in the section @p path in which anything is set, in their order.
+  std::vector<std::string> subsections(const std::vector<std::string>& path) const;
+
+  /// Names of the entries that are set in the section @p path.
+  std::vector<std::string> entries(const std::vector<std::string>& path) const;
+
+  /// A sentence about a section with file and line before it; any other as it is.
   std::string located(const std::string& sentence) const;
 
   const std::string& name() const { return path; }

@@ -8,8 +8,8 @@
 namespace thelma
 {
 
-/// The last two checkpoints of a run, in its folder. A new one takes the place of the older, in one
-/// stroke once all of it is on the disk; so whenever the program dies, a sound one remains.
+/// The last two checkpoints of a run, in its folder. A new one atomically replaces the older, so
+/// that a sound one remains whenever the program dies.
 ///
 /// A file is a line with its kind, its number and size, a checksum of both and of the content, and
 /// the content.
@@ -25,7 +25,7 @@ public:
   std::optional<std::string> read(std::vector<std::string>& damaged);
 
   std::string newest_file() const { return name(*newest % 2); }
-  bool exist() const;
+  bool has_any() const;
   void remove() const;
 
 private:
@@ -34,13 +34,13 @@ private:
     std::string text;
   };
 
-  std::string name(unsigned int place) const;
+  std::string name(unsigned int slot) const;
   void find_newest(std::vector<std::string>& damaged);
   static std::optional<Content> content(const std::string& file);
 
   std::string folder;
-  bool searched = false;
-  std::optional<std::uint64_t> newest; ///< its number; its place is that modulo 2
+  bool has_searched = false;
+  std::optional<std::uint64_t> newest; ///< its number; its slot is that modulo 2
 };
 
 } // namespace thelma

@@ -18,8 +18,8 @@ public:
   /// Mark the newest row.
   void set_event(const std::string& event);
 
-  /// Bring @p file, always the same one, up to date: rows that it lacks are added, each whole or
-  /// not at all. If that is not enough all are written, and the file appears whole or not at all.
+  /// Bring @p file, always the same one, up to date: append the rows that it lacks or, if that is
+  /// not enough, replace it; both atomically.
   /// Throws WriteError if there is no room.
   void write(const std::string& file);
 
@@ -57,7 +57,7 @@ private:
 /// Throws InputError if the folder cannot be created or written into.
 void create_folder(const std::string& folder);
 
-/// Add @p text to the end of @p file, whole or not at all. Whether that could be done.
+/// Append @p text to @p file atomically. Whether that succeeded.
 bool append_to_file(const std::string& file, const std::string& text);
 
 /// Write @p content to @p file through a temporary file, so that a reader never sees half of it.

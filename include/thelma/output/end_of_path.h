@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 
 #include <string>
 
@@ -20,6 +20,6 @@ double part_within_cells(const DofLayout<dim>& layout, BlockVector& mode);
 /// How far the field has driven the body: the largest true field and the thinnest stretch along it.
 /// Empty without a field.
 template <int dim>
-std::string describe_field(const Scene<dim>& scene);
+std::string describe_field(const ObservableInput<dim>& scene);
 
 } // namespace thelma

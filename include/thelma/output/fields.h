@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 
 #include <string>
 #include <utility>
@@ -20,11 +20,11 @@ public:
   static void remove_old(const std::string& folder);
 
   /// Write the state as number @p step, if fields are wanted for it.
-  void write(const Scene<dim>& scene, const std::string& folder, unsigned int step, double load,
-             bool last);
+  void write(const ObservableInput<dim>& scene, const std::string& folder, unsigned int step,
+             double load, bool last);
 
   /// Write a displacement and the other fields that go with it, as the next mode.
-  void write_mode(const Scene<dim>& scene, const std::string& folder, BlockVector mode);
+  void write_mode(const ObservableInput<dim>& scene, const std::string& folder, BlockVector mode);
 
   /// Write the .pvd.
   void write_list(MPI_Comm comm, const std::string& folder) const;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <thelma/elements/integrate.h>
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 
 #include <optional>
 
@@ -13,11 +13,14 @@ template <int dim>
 class Points
 {
 public:
-  void setup(const Scene<dim>& scene) { rule.emplace(scene.layout, scene.layout.degree() + 1); }
+  void setup(const ObservableInput<dim>& scene)
+  {
+    rule.emplace(scene.layout, scene.layout.degree() + 1);
+  }
 
   /// Call @p visit(point state, material, volume in mm^dim) at each point of the own cells.
   template <typename Visitor>
-  void visit(const Scene<dim>& scene, const Visitor& visit) const
+  void visit(const ObservableInput<dim>& scene, const Visitor& visit) const
   {
     scene.system.cells.for_each([&](const CellView<dim>& view) {
       for (unsigned int q = 0; q < rule->basis().n_points; ++q) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/output/results.h>
+#include <thelma/output/run_output.h>
 #include <thelma/simulation/phases.h>
 
 #include <string>
@@ -18,7 +18,7 @@ struct Checkpoint {
   Strategies<dim>& strategies;
   Phases<dim>& phases;
   Outcome& outcome;
-  Results<dim>& results;
+  RunOutput<dim>& output;
 
   std::string content();
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <thelma/base/complaints.h>
+#include <thelma/base/input_errors.h>
 #include <thelma/base/timings.h>
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 #include <thelma/strategies/predictor.h>
 
 #include <functional>
@@ -27,7 +27,7 @@ public:
     bool layout = false, conditions = false;
   };
   Parts check(const std::string& folder, const std::function<void(const WholeMesh<dim>&)>& visit,
-              Complaints& found);
+              InputErrors& found);
 
   /// Allocate what the solvers need.
   void setup();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/output/results.h>
+#include <thelma/output/run_output.h>
 #include <thelma/simulation/checkpoint.h>
 
 #include <iosfwd>
@@ -44,15 +44,15 @@ public:
   std::string parameters() const;
 
   /// Whether the folder holds the results of this very scene, computed by this very program.
-  bool finished() const;
+  bool is_finished() const;
 
   void record(const StepReport& step) override;
-  void record_mode(const BlockVector& mode) override { results.add_mode(scene(), mode); }
+  void record_mode(const BlockVector& mode) override { output.add_mode(observable_input(), mode); }
 
 private:
   void declare();
-  void check(const std::string& picture_folder, Complaints& found);
-  Scene<dim> scene();
+  void check(const std::string& picture_folder, InputErrors& found);
+  ObservableInput<dim> observable_input();
   void run_phase();
   StepsEnd follow(Strategy& strategy);
   StepsEnd follow_arc();
@@ -68,9 +68,9 @@ private:
   bool mesh_is_drawn = false;
   unsigned int dimension = dim;
   dealii::ParameterHandler prm;
-  Complaints complaints;
+  InputErrors errors;
   Timings timings;
-  Results<dim> results;
+  RunOutput<dim> output;
   Outcome outcome;
   Model<dim> model;
   Strategies<dim> strategies;

@@ -37,7 +37,7 @@ struct Strategies {
 
   /// Set up what may find fault with the scene, collected in @p found; layout and conditions must
   /// stand, the mesh is there.
-  void check(bool has_conditions, Complaints& found);
+  void check(bool has_conditions, InputErrors& found);
 
   /// Choose the linear solvers for what is asked of them. Throws InputError.
   void choose_solvers();

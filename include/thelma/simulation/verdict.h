@@ -1,6 +1,6 @@
 #pragma once
 
-#include <thelma/output/results.h>
+#include <thelma/output/run_output.h>
 #include <thelma/simulation/strategies.h>
 
 #include <string>
@@ -14,9 +14,9 @@ template <int dim>
 class Verdict
 {
 public:
-  Verdict(Model<dim>& model, Strategies<dim>& strategies, Results<dim>& results, Outcome& outcome,
-          const Scene<dim>& scene)
-      : model(model), strategies(strategies), results(results), outcome(outcome), scene(scene)
+  Verdict(Model<dim>& model, Strategies<dim>& strategies, RunOutput<dim>& output, Outcome& outcome,
+          const ObservableInput<dim>& scene)
+      : model(model), strategies(strategies), output(output), outcome(outcome), scene(scene)
   {
   }
 
@@ -39,9 +39,9 @@ private:
 
   Model<dim>& model;
   Strategies<dim>& strategies;
-  Results<dim>& results;
+  RunOutput<dim>& output;
   Outcome& outcome;
-  const Scene<dim>& scene;
+  const ObservableInput<dim>& scene;
 };
 
 } // namespace thelma

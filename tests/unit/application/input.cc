@@ -16,8 +16,8 @@ using namespace thelma;
 namespace
 {
 
-/// Complaints about a file of this text.
-std::vector<std::string> complaints(const std::string& text)
+/// InputErrors about a file of this text.
+std::vector<std::string> errors_in(const std::string& text)
 {
   try {
     is_finished(ParameterFile::from_text(text), "nowhere");
@@ -84,20 +84,20 @@ TEST(Input, MisspellingsAreRecognised)
 
 TEST(Input, AllProblemsAreSaidAtOnceWithTheirLines)
 {
-  const std::vector<std::string> found = complaints("subsection Regions\n"
-                                                    "  set Materials = film: elastomer\n"
-                                                    "end\n"
-                                                    "subsection Newtn\n"
-                                                    "  set Tolerance = 1\n"
-                                                    "end\n"
-                                                    "subsection Newton\n"
-                                                    "  set Tolerence = 1\n"
-                                                    "  set Iterations = many\n"
-                                                    "  set Film thickness = 1\n"
-                                                    "end\n"
-                                                    "subsection Temperature\n"
-                                                    "  set Value = 2 kV\n"
-                                                    "  hello\n");
+  const std::vector<std::string> found = errors_in("subsection Regions\n"
+                                                   "  set Materials = film: elastomer\n"
+                                                   "end\n"
+                                                   "subsection Newtn\n"
+                                                   "  set Tolerance = 1\n"
+                                                   "end\n"
+                                                   "subsection Newton\n"
+                                                   "  set Tolerence = 1\n"
+                                                   "  set Iterations = many\n"
+                                                   "  set Film thickness = 1\n"
+                                                   "end\n"
+                                                   "subsection Temperature\n"
+                                                   "  set Value = 2 kV\n"
+                                                   "  hello\n");
   ASSERT_EQ(found.size(), 7u);
   expect_words(found[0], {":4", "'Newtn'", "'Newton'"});
   expect_words(found[1], {":8", "section Newton", "'Tolerence'", "'Tolerance'"});
@@ -112,7 +112,7 @@ TEST(Input, AllProblemsAreSaidAtOnceWithTheirLines)
 TEST(Input, NamesMayHaveDots)
 {
   for (const std::string name : {"VHB 4910", "Elastosil 2030.1", "dotted."}) {
-    const std::vector<std::string> found = complaints(
+    const std::vector<std::string> found = errors_in(
         "subsection Regions\n set Materials = film: " + name +
         "\nend\nsubsection Materials\n subsection " + name + "\n  set Gent limt = 80\n end\nend\n");
     ASSERT_EQ(found.size(), 1u) << name;
@@ -148,7 +148,7 @@ TEST(Input, EntriesWithoutEffectAreTold)
 TEST(Input, EverySceneIsRead)
 {
   for (const std::string& text : scenes())
-    EXPECT_EQ(complaints(text), std::vector<std::string>());
+    EXPECT_EQ(errors_in(text), std::vector<std::string>());
 }
 
 // Whatever happens to a file, reading it ends, with success or with sentences.
@@ -177,7 +177,7 @@ TEST(Input, SurvivesDamage)
         text.insert(at, 1 + below(3), bytes[below(bytes.size())]);
       }
     }
-    EXPECT_NO_THROW(complaints(text)) << text;
+    EXPECT_NO_THROW(errors_in(text)) << text;
   }
 }
 
@@ -199,7 +199,7 @@ TEST(Input, FindsEveryFault)
       line = "ende";
     else
       line = "neither " + line;
-    const std::vector<std::string> found = complaints(joined(lines));
+    const std::vector<std::string> found = errors_in(joined(lines));
     EXPECT_FALSE(found.empty()) << joined(lines);
     if (!found.empty()) {
       EXPECT_TRUE(contains(joined(found), ":" + std::to_string(at + 1)))

@@ -56,7 +56,7 @@ TEST_F(CheckpointFiles, TheLastTwoAreKept)
 {
   EXPECT_EQ(found(), "none");
   Checkpoints checkpoints(folder);
-  EXPECT_FALSE(checkpoints.exist());
+  EXPECT_FALSE(checkpoints.has_any());
   for (const char* text : {"first", "second", "third"}) {
     checkpoints.write(text);
     EXPECT_EQ(found(), text);

@@ -1,7 +1,7 @@
-#include <thelma/base/complaints.h>
+#include <thelma/base/input_errors.h>
 #include <thelma/base/quantity.h>
 #include <thelma/base/version.h>
-#include <thelma/output/results.h>
+#include <thelma/output/run_output.h>
 #include <thelma/output/run_report.h>
 
 #include <deal.II/base/mpi.h>
@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
-#include <set>
 #include <sstream>
 
 namespace thelma
@@ -34,47 +33,20 @@ bool is_younger(const std::string& file, const std::vector<std::string>& inputs)
 } // namespace
 
 template <int dim>
-Results<dim>::Results(const MPI_Comm comm, const ParameterFile& file, std::string folder,
-                      std::ostream& console, Timings& timings)
+RunOutput<dim>::RunOutput(const MPI_Comm comm, const ParameterFile& file, std::string folder,
+                          std::ostream& console, Timings& timings)
     : comm(comm), file_name(file.name()), folder(std::move(folder)),
       console(console, dealii::Utilities::MPI::this_mpi_process(comm) == 0), timings(timings),
-      checkpoints(this->folder)
+      checkpoints(this->folder), observed(file)
 {
-  file.peek([&](dealii::ParameterHandler& choices) {
-    const Section section(choices, {"Output"});
-    choices.add_parameter("Observables", observed_names);
-  });
-  const std::vector<std::string> known = observables<dim>().names();
-  for (const std::string& name : observed_names)
-    if (std::find(known.begin(), known.end(), name) != known.end())
-      observed.emplace_back(name, observables<dim>().create(name));
-  // Their sections are known, so that a misspelt name is complained about once.
-  for (const std::string& name : known)
-    if (std::find(observed_names.begin(), observed_names.end(), name) == observed_names.end() &&
-        file.has_section({"Observables", name})) {
-      meant.emplace_back(name, observables<dim>().create(name));
-      if (observed.size() == observed_names.size())
-        unnamed.push_back(name);
-    }
-  observed_names.clear(); // the declared default
 }
 
 template <int dim>
-void Results<dim>::declare(dealii::ParameterHandler& prm)
+void RunOutput<dim>::declare(dealii::ParameterHandler& prm)
 {
   {
     const Section section(prm, {"Output"});
-    prm.add_parameter("Observables", observed_names,
-                      "Columns of curve.csv in addition to the load; known: " +
-                          comma_separated(observables<dim>().names()) + ".");
-    prm.add_action("Observables", [](const std::string& names) {
-      std::set<std::string> distinct;
-      for (const std::string& name : dealii::Utilities::split_string_list(names)) {
-        observables<dim>().create(name); // answers an unknown one
-        if (!distinct.insert(name).second)
-          throw InputError("'" + name + "' is given twice; write every observable once");
-      }
-    });
+    observed.declare_names(prm);
     add_quantity(prm, "Checkpoint interval", checkpoint_interval,
                  "Shortest time between two checkpoints, from which a killed run can continue; 0: "
                  "one after every step.",
@@ -82,29 +54,19 @@ void Results<dim>::declare(dealii::ParameterHandler& prm)
   }
   fields.declare(prm);
   expectations.declare(prm);
-  for (const auto* list : {&observed, &meant})
-    for (const auto& [name, observable] : *list) {
-      const Section section(prm, {"Observables", name});
-      observable->declare(prm);
-    }
+  observed.declare(prm);
 }
 
 template <int dim>
-void Results<dim>::setup(const Scene<dim>& scene, const double theta)
+void RunOutput<dim>::setup(const ObservableInput<dim>& scene, const double theta)
 {
   std::vector<std::string> columns{"step", "load", "voltage_kV", "e", "theta_K"};
   if (scene.layout.is_transient())
     columns.insert(columns.begin() + 2, "time_s");
-  Complaints complaints;
-  for (const auto& entry : observed) {
-    complaints.allow([&]() { entry.second->setup(scene); });
-    for (const std::string& column : entry.second->columns())
-      columns.push_back(column);
-  }
-  for (const std::string& name : unnamed)
-    complaints.add("section Observables/" + name +
-                   ": the entry 'Observables' of the section Output does not name it; add '" +
-                   name + "' there, or remove this section");
+  InputErrors errors;
+  observed.setup(scene, errors);
+  for (const std::string& column : observed.columns())
+    columns.push_back(column);
   columns.emplace_back("min_det_F");
   if (scene.system.stability.is_known())
     columns.emplace_back("unstable_directions");
@@ -113,13 +75,16 @@ void Results<dim>::setup(const Scene<dim>& scene, const double theta)
     columns.emplace_back("linear_iterations");
   columns.emplace_back("seconds");
   curve = std::make_unique<Curve>(columns);
-  complaints.allow([&]() { expectations.setup(columns, theta); });
-  complaints.raise();
+  std::vector<std::string> header = columns;
+  header.emplace_back("event");
+  observed.require_distinct(header, errors);
+  errors.collect([&]() { expectations.setup(columns, theta); });
+  errors.raise();
 }
 
 template <int dim>
-bool Results<dim>::finished(const std::string& parameters,
-                            const std::vector<std::string>& inputs) const
+bool RunOutput<dim>::is_finished(const std::string& parameters,
+                                 const std::vector<std::string>& inputs) const
 {
   const std::string report = folder + "/run.json";
   const std::optional<Outcome> outcome = read_run_report(report);
@@ -131,8 +96,8 @@ bool Results<dim>::finished(const std::string& parameters,
 }
 
 template <int dim>
-void Results<dim>::start(const std::string& parameters, const Outcome& outcome, const double theta,
-                         const bool continued)
+void RunOutput<dim>::start(const std::string& parameters, const Outcome& outcome,
+                           const double theta, const bool continued)
 {
   on_rank_0(comm, [&]() {
     remove_file(folder + "/run.json"); // the report of an earlier run
@@ -160,7 +125,7 @@ void Results<dim>::start(const std::string& parameters, const Outcome& outcome, 
 }
 
 template <int dim>
-void Results<dim>::write_checkpoint(const std::string& content)
+void RunOutput<dim>::write_checkpoint(const std::string& content)
 {
   const auto timer = timings.measure("output");
   on_rank_0(comm, [&]() { checkpoints.write(content); });
@@ -168,12 +133,12 @@ void Results<dim>::write_checkpoint(const std::string& content)
 }
 
 template <int dim>
-std::optional<std::string> Results<dim>::read_checkpoint(const std::vector<std::string>& inputs)
+std::optional<std::string> RunOutput<dim>::read_checkpoint(const std::vector<std::string>& inputs)
 {
   std::optional<std::string> content;
   on_rank_0(comm, [&]() {
     std::vector<std::string> damaged;
-    if (checkpoints.exist())
+    if (checkpoints.has_any())
       content = checkpoints.read(damaged);
     if (content && !is_younger(checkpoints.newest_file(), inputs))
       content.reset();
@@ -186,16 +151,16 @@ std::optional<std::string> Results<dim>::read_checkpoint(const std::vector<std::
 }
 
 template <int dim>
-void Results<dim>::add(const Scene<dim>& scene, const PathPoint& point, const NewtonReport& report)
+void RunOutput<dim>::add(const ObservableInput<dim>& scene, const PathPoint& point,
+                         const NewtonReport& report)
 {
   const auto timer = timings.measure("output");
   std::vector<double> row{double(curve->n_rows()), point.load, scene.state.voltage, point.e,
                           mean_temperature(scene)};
   if (scene.layout.is_transient())
     row.insert(row.begin() + 2, scene.state.time);
-  for (const auto& entry : observed)
-    for (const double value : entry.second->evaluate(scene))
-      row.push_back(value);
+  for (const double value : observed.evaluate(scene))
+    row.push_back(value);
   row.push_back(report.min_det_F);
   if (scene.system.stability.is_known())
     row.push_back(static_cast<double>(point.unstable_directions));
@@ -211,38 +176,14 @@ void Results<dim>::add(const Scene<dim>& scene, const PathPoint& point, const Ne
 }
 
 template <int dim>
-void Results<dim>::require_column(const std::string& column, const std::string& place) const
-{
-  std::vector<std::string> known;
-  for (const auto& entry : observed)
-    for (const std::string& name : entry.second->columns())
-      known.push_back(name);
-  if (std::find(known.begin(), known.end(), column) == known.end())
-    throw InputError(place + ": no observable has the column '" + column + "'" +
-                     known_ones(column, known));
-}
-
-template <int dim>
-double Results<dim>::value(const Scene<dim>& scene, const std::string& column)
-{
-  for (const auto& entry : observed) {
-    const std::vector<std::string> columns = entry.second->columns();
-    const auto found = std::find(columns.begin(), columns.end(), column);
-    if (found != columns.end())
-      return entry.second->evaluate(scene)[found - columns.begin()];
-  }
-  return 0.;
-}
-
-template <int dim>
-double Results<dim>::abscissa(const Scene<dim>& scene, const double load)
+double RunOutput<dim>::abscissa(const ObservableInput<dim>& scene, const double load)
 {
   return scene.layout.is_transient() ? scene.state.time : load;
 }
 
 template <int dim>
-void Results<dim>::print_step(const Scene<dim>& scene, const PathPoint& point,
-                              const NewtonReport& report)
+void RunOutput<dim>::print_step(const ObservableInput<dim>& scene, const PathPoint& point,
+                                const NewtonReport& report)
 {
   std::ostringstream line;
   line << "  step " << std::setw(3) << curve->n_rows() - 1 << "  load " << std::fixed
@@ -260,7 +201,7 @@ void Results<dim>::print_step(const Scene<dim>& scene, const PathPoint& point,
 }
 
 template <int dim>
-void Results<dim>::finish(const Scene<dim>& scene, Outcome& outcome)
+void RunOutput<dim>::finish(const ObservableInput<dim>& scene, Outcome& outcome)
 {
   outcome.steps = curve->n_rows();
   if (outcome.code == ExitCode::success) {
@@ -288,7 +229,7 @@ void Results<dim>::finish(const Scene<dim>& scene, Outcome& outcome)
   console << "  " << outcome.summary() << "\n" << std::flush;
 }
 
-template class Results<2>;
-template class Results<3>;
+template class RunOutput<2>;
+template class RunOutput<3>;
 
 } // namespace thelma

@@ -1,4 +1,4 @@
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -16,9 +16,14 @@ template <int dim>
 class Charge final : public Observable<dim>
 {
 public:
-  std::vector<std::string> columns() const override { return {"charge_uC", "capacitance_nF"}; }
+  using Observable<dim>::Observable;
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<std::string> columns_of_kind() const override
+  {
+    return {"charge_uC", "capacitance_nF"};
+  }
+
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     const double voltage = scene.state.voltage;
     double charge = 0.;
@@ -33,12 +38,12 @@ public:
 } // namespace
 
 template <int dim>
-std::unique_ptr<Observable<dim>> make_charge()
+std::unique_ptr<Observable<dim>> make_charge(const ObservableName& name)
 {
-  return std::make_unique<Charge<dim>>();
+  return std::make_unique<Charge<dim>>(name);
 }
 
-template std::unique_ptr<Observable<2>> make_charge();
-template std::unique_ptr<Observable<3>> make_charge();
+template std::unique_ptr<Observable<2>> make_charge(const ObservableName&);
+template std::unique_ptr<Observable<3>> make_charge(const ObservableName&);
 
 } // namespace thelma

@@ -15,6 +15,8 @@ template <int dim>
 class Breakdown final : public Observable<dim>
 {
 public:
+  using Observable<dim>::Observable;
+
   void declare(dealii::ParameterHandler& prm) override
   {
     add_quantity(prm, "Breakdown field", breakdown,
@@ -24,14 +26,14 @@ public:
                  Quantity("kV/mm", 1e-12));
   }
 
-  void setup(const Scene<dim>& scene) override { points.setup(scene); }
+  void setup(const ObservableInput<dim>& scene) override { points.setup(scene); }
 
-  std::vector<std::string> columns() const override
+  std::vector<std::string> columns_of_kind() const override
   {
     return {"max_true_field_kV_mm", "breakdown_ratio"};
   }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     double largest = 0.;
     points.visit(scene, [&](const PointState<>& state, const Material&, double) {
@@ -49,12 +51,12 @@ private:
 } // namespace
 
 template <int dim>
-std::unique_ptr<Observable<dim>> make_breakdown()
+std::unique_ptr<Observable<dim>> make_breakdown(const ObservableName& name)
 {
-  return std::make_unique<Breakdown<dim>>();
+  return std::make_unique<Breakdown<dim>>(name);
 }
 
-template std::unique_ptr<Observable<2>> make_breakdown();
-template std::unique_ptr<Observable<3>> make_breakdown();
+template std::unique_ptr<Observable<2>> make_breakdown(const ObservableName&);
+template std::unique_ptr<Observable<3>> make_breakdown(const ObservableName&);
 
 } // namespace thelma

@@ -1,6 +1,6 @@
 #include <thelma/base/axes.h>
 #include <thelma/fields/named_dofs.h>
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 
 #include <algorithm>
 #include <array>
@@ -19,6 +19,8 @@ template <int dim>
 class Reaction final : public Observable<dim>
 {
 public:
+  using Observable<dim>::Observable;
+
   void declare(dealii::ParameterHandler& prm) override
   {
     prm.add_parameter(
@@ -28,7 +30,7 @@ public:
         "force of all supports on its nodes.");
   }
 
-  void setup(const Scene<dim>& scene) override
+  void setup(const ObservableInput<dim>& scene) override
   {
     std::array<std::vector<std::string>, dim> holding;
     bool is_support = false;
@@ -47,15 +49,15 @@ public:
 
   std::vector<std::string> remarks() const override { return shared; }
 
-  std::vector<std::string> columns() const override
+  std::vector<std::string> columns_of_kind() const override
   {
     std::vector<std::string> names;
     for (int c = 0; c < dim; ++c)
-      names.push_back("reaction_f" + std::to_string(axis<dim>(c) + 1) + "_N");
+      names.push_back(force_column(c));
     return names;
   }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     std::vector<double> forces;
     for (const auto& of_component : dofs)
@@ -64,6 +66,11 @@ public:
   }
 
 private:
+  static std::string force_column(const unsigned int c)
+  {
+    return "reaction_f" + std::to_string(axis<dim>(c) + 1) + "_N";
+  }
+
   using Dofs = std::set<dealii::types::global_dof_index>;
 
   static bool contains(const std::vector<std::string>& names, const std::string& name)
@@ -71,22 +78,23 @@ private:
     return std::find(names.begin(), names.end(), name) != names.end();
   }
 
-  static Dofs dofs_at(const Scene<dim>& scene, const std::string& name, const unsigned int c)
+  Dofs dofs_at(const ObservableInput<dim>& scene, const std::string& entity,
+               const unsigned int c) const
   {
-    return dofs_on(scene.mesh, scene.layout, name, "section Observables/reaction, entry 'At'", c);
+    return dofs_on(scene.mesh, scene.layout, entity, this->name.place("At"), c);
   }
 
   /// A node that two supports hold in one direction does not tell which of them bears its force.
-  void note_shared(const Scene<dim>& scene, const unsigned int c,
+  void note_shared(const ObservableInput<dim>& scene, const unsigned int c,
                    const std::vector<std::string>& holding)
   {
     const std::string number = std::to_string(axis<dim>(c) + 1);
     for (const std::string& other : holding) {
       const Dofs theirs = dofs_at(scene, other, c);
-      const bool meet = std::any_of(dofs[c].begin(), dofs[c].end(),
-                                    [&](const auto dof) { return theirs.count(dof) > 0; });
-      if (other != group && meet)
-        shared.push_back("reaction_f" + number + "_N includes the force of '" + other +
+      const bool is_shared = std::any_of(dofs[c].begin(), dofs[c].end(),
+                                         [&](const auto dof) { return theirs.count(dof) > 0; });
+      if (other != group && is_shared)
+        shared.push_back(this->name.column(force_column(c)) + " includes the force of '" + other +
                          "', which also holds u" + number + " at the nodes it shares with '" +
                          group + "'");
     }
@@ -100,12 +108,12 @@ private:
 } // namespace
 
 template <int dim>
-std::unique_ptr<Observable<dim>> make_reaction()
+std::unique_ptr<Observable<dim>> make_reaction(const ObservableName& name)
 {
-  return std::make_unique<Reaction<dim>>();
+  return std::make_unique<Reaction<dim>>(name);
 }
 
-template std::unique_ptr<Observable<2>> make_reaction();
-template std::unique_ptr<Observable<3>> make_reaction();
+template std::unique_ptr<Observable<2>> make_reaction(const ObservableName&);
+template std::unique_ptr<Observable<3>> make_reaction(const ObservableName&);
 
 } // namespace thelma

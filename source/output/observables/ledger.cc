@@ -1,6 +1,6 @@
 #include <thelma/base/error.h>
 #include <thelma/elements/cell_points.h>
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -21,7 +21,9 @@ template <int dim>
 class Ledger final : public Observable<dim>
 {
 public:
-  void setup(const Scene<dim>& scene) override
+  using Observable<dim>::Observable;
+
+  void setup(const ObservableInput<dim>& scene) override
   {
     if (scene.layout.has(Field::temperature) && !scene.layout.has_transient_temperature())
       throw InputError(
@@ -35,7 +37,7 @@ public:
     theta_0 = scene.materials.reference_temperature();
   }
 
-  std::vector<std::string> columns() const override
+  std::vector<std::string> columns_of_kind() const override
   {
     return {"ledger_elastic_mJ",
             "ledger_electric_mJ",
@@ -51,11 +53,11 @@ public:
             "ledger_entropy_missing_mJ_per_K"};
   }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     const Stock now = stock(scene);
-    if (!begun || (scene.layout.is_transient() && !scene.state.rates)) { // time has not begun
-      begun = true;
+    if (!has_begun || (scene.layout.is_transient() && !scene.state.rates)) { // time has not begun
+      has_begun = true;
       sums = {now.numbers, now.numbers, 0., 0., 0., 0., 0., 0.};
     } else
       add_work(scene, now);
@@ -70,11 +72,11 @@ public:
     return values(now.numbers.stored);
   }
 
-  std::vector<double> memory() const override
+  std::vector<double> saved() const override
   {
     std::vector<double> numbers(sizeof(Sums) / sizeof(double));
     std::memcpy(numbers.data(), &sums, sizeof(Sums));
-    numbers.push_back(begun);
+    numbers.push_back(has_begun);
     numbers.push_back(loads.levels.size());
     for (const std::vector<double>* of_loads : {&loads.levels, &loads.work})
       numbers.insert(numbers.end(), of_loads->begin(), of_loads->end());
@@ -83,12 +85,12 @@ public:
     return numbers;
   }
 
-  void remember(const std::vector<double>& numbers) override
+  void restore(const std::vector<double>& numbers) override
   {
     static_assert(std::is_trivially_copyable_v<Sums>);
     std::memcpy(static_cast<void*>(&sums), numbers.data(), sizeof(Sums));
     std::size_t k = sizeof(Sums) / sizeof(double);
-    begun = numbers[k++] != 0.;
+    has_begun = numbers[k++] != 0.;
     const std::size_t n_loads = numbers[k++];
     for (std::vector<double>* of_loads : {&loads.levels, &loads.work}) {
       of_loads->assign(numbers.begin() + k, numbers.begin() + k + n_loads);
@@ -139,7 +141,7 @@ private:
             sums.produced, e.entropy - start.entropy - sums.entropy - sums.produced};
   }
 
-  Stock stock(const Scene<dim>& scene) const
+  Stock stock(const ObservableInput<dim>& scene) const
   {
     Energies own = scene.system.cells.energies(), walls;
     if (scene.layout.has(Field::temperature)) {
@@ -171,7 +173,7 @@ private:
   }
 
   /// By the trapezoidal rule, as all that follows.
-  void add_work(const Scene<dim>& scene, const Stock& now)
+  void add_work(const ObservableInput<dim>& scene, const Stock& now)
   {
     for (std::size_t e = 0; e < electrodes.size(); ++e)
       sums.electric += 0.5 * (electrodes[e].first + now.electrodes[e].first) *
@@ -219,7 +221,7 @@ private:
   }
 
   /// -Q . Grad theta / theta^2 over the own cells.
-  double production(const Scene<dim>& scene) const
+  double production(const ObservableInput<dim>& scene) const
   {
     double sum = 0.;
     scene.system.cells.for_each([&](const CellView<dim>& view) {
@@ -237,7 +239,7 @@ private:
 
   std::optional<Integration<dim>> rule;
   double theta_0 = 293.;
-  bool begun = false;
+  bool has_begun = false;
   Sums sums{};
   Electrodes electrodes;             ///< at the last row
   Levels loads;                      ///< there
@@ -247,12 +249,12 @@ private:
 } // namespace
 
 template <int dim>
-std::unique_ptr<Observable<dim>> make_ledger()
+std::unique_ptr<Observable<dim>> make_ledger(const ObservableName& name)
 {
-  return std::make_unique<Ledger<dim>>();
+  return std::make_unique<Ledger<dim>>(name);
 }
 
-template std::unique_ptr<Observable<2>> make_ledger();
-template std::unique_ptr<Observable<3>> make_ledger();
+template std::unique_ptr<Observable<2>> make_ledger(const ObservableName&);
+template std::unique_ptr<Observable<3>> make_ledger(const ObservableName&);
 
 } // namespace thelma

@@ -6,7 +6,7 @@ namespace thelma
 {
 
 template <int dim>
-double mean_temperature(const Scene<dim>& scene)
+double mean_temperature(const ObservableInput<dim>& scene)
 {
   if (!scene.layout.has(Field::temperature))
     return scene.state.theta;
@@ -21,7 +21,7 @@ double mean_temperature(const Scene<dim>& scene)
   return total[0] / total[1];
 }
 
-template double mean_temperature(const Scene<2>&);
-template double mean_temperature(const Scene<3>&);
+template double mean_temperature(const ObservableInput<2>&);
+template double mean_temperature(const ObservableInput<3>&);
 
 } // namespace thelma

@@ -8,14 +8,14 @@
 namespace thelma
 {
 
-/// Gathers what is wrong with the input, so that all of it is said at once: steps that do not need
-/// each other are tried one after the other, then raise() throws.
-class Complaints
+/// Collects what is wrong with the input, so that all of it is reported at once: independent steps
+/// run one after the other, then raise() throws.
+class InputErrors
 {
 public:
-  /// Whether @p action ends without an InputError; that is kept.
+  /// Run @p action and collect its InputError. Whether there was none.
   template <typename Action>
-  bool allow(const Action& action)
+  bool collect(const Action& action)
   {
     try {
       action();
@@ -32,7 +32,7 @@ public:
 
   /// Add those of @p found that nothing said so far explains: what seems to be missing may only be
   /// misspelt, and what an entry means may hang on a choice beside it.
-  void add_unexplained(const Complaints& found);
+  void add_unexplained(const InputErrors& found);
 
   const std::vector<std::string>& sentences() const { return list; }
 

@@ -1,7 +1,7 @@
 #include <thelma/base/axes.h>
 #include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -17,8 +17,8 @@ namespace
 /// Mean of one displacement component and of the position over a named surface.
 template <int dim>
 struct SurfaceMean {
-  void setup(const Scene<dim>& scene, const std::string& surface, const std::string& place,
-             const unsigned int component)
+  void setup(const ObservableInput<dim>& scene, const std::string& surface,
+             const std::string& place, const unsigned int component)
   {
     const auto& scalar = scene.layout.scalar_element();
     dealii::FEFaceValues<dim> values(
@@ -26,11 +26,11 @@ struct SurfaceMean {
         dealii::update_values | dealii::update_JxW_values | dealii::update_quadrature_points);
     std::vector<dealii::types::global_dof_index> dofs;
     double area = 0., moment = 0.;
-    bool other = false;
+    bool has_other = false;
     for (const auto& entity : scene.mesh.surface(surface, place)) {
       const std::optional<unsigned int> face = face_of(entity.vertices);
       if (!face) {
-        other = true;
+        has_other = true;
         continue;
       }
       values.reinit(entity.cell, *face);
@@ -45,7 +45,7 @@ struct SurfaceMean {
       }
     }
     comm = scene.layout.communicator();
-    if (dealii::Utilities::MPI::logical_or(other, comm))
+    if (dealii::Utilities::MPI::logical_or(has_other, comm))
       throw InputError(place + ": '" + surface + "' is a line or a point; name a surface");
     area = dealii::Utilities::MPI::sum(area, comm);
     position = dealii::Utilities::MPI::sum(moment, comm) / area;
@@ -79,7 +79,10 @@ template <int dim>
 class Stretch final : public Observable<dim>
 {
 public:
-  explicit Stretch(const unsigned int direction) : direction(direction) {}
+  Stretch(const ObservableName& name, const unsigned int direction)
+      : Observable<dim>(name), direction(direction)
+  {
+  }
 
   void declare(dealii::ParameterHandler& prm) override
   {
@@ -87,22 +90,21 @@ public:
     prm.add_parameter("To", to, "Surface at the high end.");
   }
 
-  void setup(const Scene<dim>& scene) override
+  void setup(const ObservableInput<dim>& scene) override
   {
-    const std::string place = "section Observables/" + columns().front();
-    low.setup(scene, from, place + ", entry 'From'", direction);
-    high.setup(scene, to, place + ", entry 'To'", direction);
+    low.setup(scene, from, this->name.place("From"), direction);
+    high.setup(scene, to, this->name.place("To"), direction);
     if (!(high.position > low.position))
-      throw InputError(place + ", entry 'To': '" + to + "' does not lie above '" + from +
+      throw InputError(this->name.place("To") + ": '" + to + "' does not lie above '" + from +
                        "'; name surfaces with material between them");
   }
 
-  std::vector<std::string> columns() const override
+  std::vector<std::string> columns_of_kind() const override
   {
     return {"lambda_" + std::to_string(axis<dim>(direction) + 1)};
   }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     const double change = high.displacement(scene.state.x) - low.displacement(scene.state.x);
     return {1. + change / (high.position - low.position)};
@@ -117,12 +119,13 @@ private:
 } // namespace
 
 template <int dim>
-std::unique_ptr<Observable<dim>> make_stretch(const unsigned int direction)
+std::unique_ptr<Observable<dim>> make_stretch(const ObservableName& name,
+                                              const unsigned int direction)
 {
-  return std::make_unique<Stretch<dim>>(direction);
+  return std::make_unique<Stretch<dim>>(name, direction);
 }
 
-template std::unique_ptr<Observable<2>> make_stretch(unsigned int);
-template std::unique_ptr<Observable<3>> make_stretch(unsigned int);
+template std::unique_ptr<Observable<2>> make_stretch(const ObservableName&, unsigned int);
+template std::unique_ptr<Observable<3>> make_stretch(const ObservableName&, unsigned int);
 
 } // namespace thelma

@@ -12,11 +12,13 @@ template <int dim>
 class Volume final : public Observable<dim>
 {
 public:
-  void setup(const Scene<dim>& scene) override { points.setup(scene); }
+  using Observable<dim>::Observable;
 
-  std::vector<std::string> columns() const override { return {"volume_ratio"}; }
+  void setup(const ObservableInput<dim>& scene) override { points.setup(scene); }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<std::string> columns_of_kind() const override { return {"volume_ratio"}; }
+
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     double deformed = 0., undeformed = 0.;
     points.visit(scene, [&](const PointState<>& state, const Material&, const double JxW) {
@@ -35,12 +37,12 @@ private:
 } // namespace
 
 template <int dim>
-std::unique_ptr<Observable<dim>> make_volume()
+std::unique_ptr<Observable<dim>> make_volume(const ObservableName& name)
 {
-  return std::make_unique<Volume<dim>>();
+  return std::make_unique<Volume<dim>>(name);
 }
 
-template std::unique_ptr<Observable<2>> make_volume();
-template std::unique_ptr<Observable<3>> make_volume();
+template std::unique_ptr<Observable<2>> make_volume(const ObservableName&);
+template std::unique_ptr<Observable<3>> make_volume(const ObservableName&);
 
 } // namespace thelma

@@ -1,4 +1,4 @@
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -13,12 +13,14 @@ template <int dim>
 class Energy final : public Observable<dim>
 {
 public:
-  std::vector<std::string> columns() const override
+  using Observable<dim>::Observable;
+
+  std::vector<std::string> columns_of_kind() const override
   {
     return {"energy_elastic_mJ", "energy_electric_mJ"};
   }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     const Energies own = scene.system.cells.energies();
     const std::vector<double> sums{own.elastic, own.electric};
@@ -31,12 +33,12 @@ public:
 } // namespace
 
 template <int dim>
-std::unique_ptr<Observable<dim>> make_energy()
+std::unique_ptr<Observable<dim>> make_energy(const ObservableName& name)
 {
-  return std::make_unique<Energy<dim>>();
+  return std::make_unique<Energy<dim>>(name);
 }
 
-template std::unique_ptr<Observable<2>> make_energy();
-template std::unique_ptr<Observable<3>> make_energy();
+template std::unique_ptr<Observable<2>> make_energy(const ObservableName&);
+template std::unique_ptr<Observable<3>> make_energy(const ObservableName&);
 
 } // namespace thelma

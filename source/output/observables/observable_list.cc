@@ -1,15 +1,16 @@
 #include <thelma/base/axes.h>
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 
 namespace thelma
 {
 
 /// The observables a .prm can choose.
 template <int dim>
-const NamedList<Observable<dim>>& observables()
+const NamedList<Observable<dim>, ObservableName>& observables()
 {
-  static const NamedList<Observable<dim>> list = []() {
-    std::vector<typename NamedList<Observable<dim>>::Entry> entries{
+  using Kinds = NamedList<Observable<dim>, ObservableName>;
+  static const Kinds list = []() {
+    std::vector<typename Kinds::Entry> entries{
         {{"charge", "charge on the driven electrodes of positive potential, and capacitance"},
          make_charge<dim>},
         {{"electrodes", "potential, charge and capacitance of each electrode"},
@@ -27,24 +28,23 @@ const NamedList<Observable<dim>>& observables()
          make_ledger<dim>},
         {{"probe", "mean potential and temperature of a surface, line or point"}, make_probe<dim>},
         {{"temperature_range", "lowest and highest temperature"}, make_temperature_range<dim>}};
-    for (const std::string name : {"tip", "centre"})
-      entries.push_back({{name, "mean displacement of a surface, line or point"},
-                         [name]() { return make_displacement<dim>(name); }});
-    for (const std::string name : {"mid_rotation", "end_rotation"})
-      entries.push_back({{name, "rotation about x2 of a section x3 = const"},
-                         [name]() { return make_rotation<dim>(name); }});
+    for (const std::string name : {"displacement", "tip", "centre"})
+      entries.push_back(
+          {{name, "mean displacement of a surface, line or point"}, make_displacement<dim>});
+    for (const std::string name : {"rotation", "mid_rotation", "end_rotation"})
+      entries.push_back({{name, "rotation about x2 of a section x3 = const"}, make_rotation<dim>});
     for (unsigned int i = 0; i < dim; ++i) {
       const std::string number = std::to_string(axis<dim>(i) + 1);
       entries.push_back(
           {{"lambda_" + number, "mean stretch along x" + number + " between two surfaces"},
-           [i]() { return make_stretch<dim>(i); }});
+           [i](const ObservableName& name) { return make_stretch<dim>(name, i); }});
     }
-    return NamedList<Observable<dim>>("unknown observable", entries);
+    return Kinds("unknown observable", entries);
   }();
   return list;
 }
 
-template const NamedList<Observable<2>>& observables();
-template const NamedList<Observable<3>>& observables();
+template const NamedList<Observable<2>, ObservableName>& observables();
+template const NamedList<Observable<3>, ObservableName>& observables();
 
 } // namespace thelma

@@ -1,4 +1,4 @@
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -13,16 +13,18 @@ template <int dim>
 class ElectrodeStates final : public Observable<dim>
 {
 public:
-  void setup(const Scene<dim>& scene) override
+  using Observable<dim>::Observable;
+
+  void setup(const ObservableInput<dim>& scene) override
   {
     for (const Electrode& electrode : scene.conditions.electrodes())
       for (const std::string quantity : {"_voltage_kV", "_charge_uC", "_capacitance_nF"})
         names.push_back(electrode.name + quantity);
   }
 
-  std::vector<std::string> columns() const override { return names; }
+  std::vector<std::string> columns_of_kind() const override { return names; }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     std::vector<double> values;
     for (const Electrode& electrode : scene.conditions.electrodes()) {
@@ -41,12 +43,12 @@ private:
 } // namespace
 
 template <int dim>
-std::unique_ptr<Observable<dim>> make_electrodes()
+std::unique_ptr<Observable<dim>> make_electrodes(const ObservableName& name)
 {
-  return std::make_unique<ElectrodeStates<dim>>();
+  return std::make_unique<ElectrodeStates<dim>>(name);
 }
 
-template std::unique_ptr<Observable<2>> make_electrodes();
-template std::unique_ptr<Observable<3>> make_electrodes();
+template std::unique_ptr<Observable<2>> make_electrodes(const ObservableName&);
+template std::unique_ptr<Observable<3>> make_electrodes(const ObservableName&);
 
 } // namespace thelma

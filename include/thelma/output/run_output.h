@@ -4,6 +4,7 @@
 #include <thelma/base/timings.h>
 #include <thelma/output/checkpoints.h>
 #include <thelma/output/fields.h>
+#include <thelma/output/observables/chosen_observables.h>
 #include <thelma/output/outcome.h>
 #include <thelma/solvers/newton.h>
 
@@ -13,7 +14,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace thelma
@@ -31,21 +31,21 @@ struct PathPoint {
 /// What a run leaves: lines on the console and, in its folder, the curve, the fields, used.prm and
 /// run.json.
 template <int dim>
-class Results
+class RunOutput
 {
 public:
   /// Takes the names of the observables from @p file, so that they can declare their entries.
-  Results(MPI_Comm comm, const ParameterFile& file, std::string folder, std::ostream& console,
-          Timings& timings);
+  RunOutput(MPI_Comm comm, const ParameterFile& file, std::string folder, std::ostream& console,
+            Timings& timings);
 
   void declare(dealii::ParameterHandler& prm);
 
   /// Expectations are those at @p theta in K.
-  void setup(const Scene<dim>& scene, double theta);
+  void setup(const ObservableInput<dim>& scene, double theta);
 
   /// Whether a run with these @p parameters has already finished in the folder, and none of the
   /// files @p inputs has changed since.
-  bool finished(const std::string& parameters, const std::vector<std::string>& inputs) const;
+  bool is_finished(const std::string& parameters, const std::vector<std::string>& inputs) const;
 
   /// Create the folder with used.prm, a copy of @p parameters, and print what is @p outcome
   /// .modelled. Of a run that is @p continued only what the checkpoint does not know goes.
@@ -59,14 +59,7 @@ public:
   std::optional<std::string> read_checkpoint(const std::vector<std::string>& inputs);
 
   /// What the observables say of their columns in this scene.
-  std::vector<std::string> remarks() const
-  {
-    std::vector<std::string> sentences;
-    for (const auto& entry : observed)
-      for (const std::string& sentence : entry.second->remarks())
-        sentences.push_back(sentence);
-    return sentences;
-  }
+  std::vector<std::string> remarks() const { return observed.remarks(); }
 
   /// How to go on after the run was stopped.
   std::string advice() const { return "continue with thelma --restart " + folder; }
@@ -76,25 +69,26 @@ public:
   void serialize(Archive& archive, unsigned int)
   {
     double spent = seconds();
-    std::vector<std::vector<double>> memories;
-    for (const auto& entry : observed)
-      memories.push_back(entry.second->memory());
-    archive& spent& timings& fields&* curve& memories;
-    for (std::size_t i = 0; i < observed.size(); ++i)
-      observed[i].second->remember(memories[i]);
+    archive& spent& timings& fields&* curve& observed;
     seconds_before = spent - stopwatch.seconds();
   }
 
-  void add(const Scene<dim>& scene, const PathPoint& point, const NewtonReport& report);
+  void add(const ObservableInput<dim>& scene, const PathPoint& point, const NewtonReport& report);
 
   /// Throws InputError, with @p place in the sentence, if no observable has @p column.
-  void require_column(const std::string& column, const std::string& place) const;
+  void require_column(const std::string& column, const std::string& place) const
+  {
+    observed.require_column(column, place);
+  }
 
   /// What @p column of an observable is in the present state.
-  double value(const Scene<dim>& scene, const std::string& column);
+  double value(const ObservableInput<dim>& scene, const std::string& column)
+  {
+    return observed.value(scene, column);
+  }
 
   /// Write an eigenvector of the tangent as `mode_0.pvtu`, ...
-  void add_mode(const Scene<dim>& scene, const BlockVector& mode)
+  void add_mode(const ObservableInput<dim>& scene, const BlockVector& mode)
   {
     fields.write_mode(scene, folder, mode);
   }
@@ -103,14 +97,15 @@ public:
   void set_event(const std::string& event) { curve->set_event(event); }
 
   /// Check the expectations, complete @p outcome and write everything.
-  void finish(const Scene<dim>& scene, Outcome& outcome);
+  void finish(const ObservableInput<dim>& scene, Outcome& outcome);
 
 private:
   /// Where the fields of the state stand in the .pvd: time or load.
-  static double abscissa(const Scene<dim>& scene, double load);
+  static double abscissa(const ObservableInput<dim>& scene, double load);
 
   double seconds() const { return seconds_before + stopwatch.seconds(); }
-  void print_step(const Scene<dim>& scene, const PathPoint& point, const NewtonReport& report);
+  void print_step(const ObservableInput<dim>& scene, const PathPoint& point,
+                  const NewtonReport& report);
 
   MPI_Comm comm;
   std::string file_name, folder;
@@ -120,11 +115,7 @@ private:
   double seconds_before = 0.; ///< of the run that is continued
   double checkpoint_interval = 60.;
   Checkpoints checkpoints;
-  std::vector<std::pair<std::string, std::unique_ptr<Observable<dim>>>> observed;
-  std::vector<std::pair<std::string, std::unique_ptr<Observable<dim>>>>
-      meant; ///< have a section but no such name, which may be misspelt
-  std::vector<std::string> observed_names;
-  std::vector<std::string> unnamed; ///< the same, where no name is misspelt
+  ChosenObservables<dim> observed;
   FieldWriter<dim> fields;
   Expectations expectations;
   std::unique_ptr<Curve> curve;

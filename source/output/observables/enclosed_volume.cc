@@ -1,5 +1,5 @@
 #include <thelma/fields/deformed_surface.h>
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -14,23 +14,24 @@ template <int dim>
 class EnclosedVolume final : public Observable<dim>
 {
 public:
+  using Observable<dim>::Observable;
+
   void declare(dealii::ParameterHandler& prm) override
   {
-    prm.add_parameter("Of", name,
+    prm.add_parameter("Of", enclosing,
                       "Surface that encloses the volume, alone or with symmetry planes through the "
                       "origin; in plane strain per mm of depth.");
   }
 
-  void setup(const Scene<dim>& scene) override
+  void setup(const ObservableInput<dim>& scene) override
   {
-    surface.setup(scene.mesh, scene.layout, name,
-                  "section Observables/enclosed_volume, entry 'Of'");
+    surface.setup(scene.mesh, scene.layout, enclosing, this->name.place("Of"));
     at_rest = signed_volume(scene.layout, scene.layout.new_vector());
   }
 
-  std::vector<std::string> columns() const override { return {"enclosed_volume_mm3"}; }
+  std::vector<std::string> columns_of_kind() const override { return {"enclosed_volume_mm3"}; }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     const double now = signed_volume(scene.layout, scene.state.x);
     return {at_rest < 0. ? -now : now};
@@ -42,7 +43,7 @@ private:
     return dealii::Utilities::MPI::sum(surface.own_volume(layout, x), layout.communicator());
   }
 
-  std::string name;
+  std::string enclosing;
   DeformedSurface<dim> surface;
   double at_rest = 0.;
 };
@@ -50,12 +51,12 @@ private:
 } // namespace
 
 template <int dim>
-std::unique_ptr<Observable<dim>> make_enclosed_volume()
+std::unique_ptr<Observable<dim>> make_enclosed_volume(const ObservableName& name)
 {
-  return std::make_unique<EnclosedVolume<dim>>();
+  return std::make_unique<EnclosedVolume<dim>>(name);
 }
 
-template std::unique_ptr<Observable<2>> make_enclosed_volume();
-template std::unique_ptr<Observable<3>> make_enclosed_volume();
+template std::unique_ptr<Observable<2>> make_enclosed_volume(const ObservableName&);
+template std::unique_ptr<Observable<3>> make_enclosed_volume(const ObservableName&);
 
 } // namespace thelma

@@ -14,11 +14,13 @@ template <int dim>
 class DetF final : public Observable<dim>
 {
 public:
-  void setup(const Scene<dim>& scene) override { points.setup(scene); }
+  using Observable<dim>::Observable;
 
-  std::vector<std::string> columns() const override { return {"max_det_F"}; }
+  void setup(const ObservableInput<dim>& scene) override { points.setup(scene); }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<std::string> columns_of_kind() const override { return {"max_det_F"}; }
+
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     double largest = 0.;
     points.visit(scene, [&](const PointState<>& state, const Material&, double) {
@@ -34,12 +36,12 @@ private:
 } // namespace
 
 template <int dim>
-std::unique_ptr<Observable<dim>> make_det_F()
+std::unique_ptr<Observable<dim>> make_det_F(const ObservableName& name)
 {
-  return std::make_unique<DetF<dim>>();
+  return std::make_unique<DetF<dim>>(name);
 }
 
-template std::unique_ptr<Observable<2>> make_det_F();
-template std::unique_ptr<Observable<3>> make_det_F();
+template std::unique_ptr<Observable<2>> make_det_F(const ObservableName&);
+template std::unique_ptr<Observable<3>> make_det_F(const ObservableName&);
 
 } // namespace thelma

@@ -1,6 +1,6 @@
 #include <thelma/base/error.h>
 #include <thelma/base/quantity.h>
-#include <thelma/output/observables.h>
+#include <thelma/output/observables/observables.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -21,7 +21,7 @@ template <int dim>
 class Rotation final : public Observable<dim>
 {
 public:
-  explicit Rotation(std::string name) : name(std::move(name)) {}
+  using Observable<dim>::Observable;
 
   void declare(dealii::ParameterHandler& prm) override
   {
@@ -29,7 +29,7 @@ public:
                  Quantity("mm"));
   }
 
-  void setup(const Scene<dim>& scene) override
+  void setup(const ObservableInput<dim>& scene) override
   {
     const dealii::Mapping<dim>& mapping = scene.layout.mapping();
     const auto& points = scene.layout.scalar_element().get_unit_support_points();
@@ -48,9 +48,9 @@ public:
     number_sections(scene.layout.communicator(), tolerance);
   }
 
-  std::vector<std::string> columns() const override { return {name + "_deg"}; }
+  std::vector<std::string> columns_of_kind() const override { return {this->name.kind + "_deg"}; }
 
-  std::vector<double> evaluate(const Scene<dim>& scene) override
+  std::vector<double> evaluate(const ObservableInput<dim>& scene) override
   {
     // Sums over the nodes of each section of 1, X1, x1, x3, X1 x1, X1 x3, X1^2.
     constexpr int n_sums = 7;
@@ -95,8 +95,8 @@ private:
     const std::size_t count =
         heights.end() - std::lower_bound(heights.begin(), heights.end(), position - tolerance);
     if (count < 2)
-      throw InputError("section Observables/" + name + ", entry 'Section': no nodes at X3 = " +
-                       as_text(position) + " mm; choose a section that the mesh has");
+      throw InputError(this->name.place("Section") + ": no nodes at X3 = " + as_text(position) +
+                       " mm; choose a section that the mesh has");
     const auto same = [&](const double a, const double b) { return b - a < tolerance; };
     heights.erase(std::unique(heights.begin(), heights.end(), same), heights.end());
     n_sections = heights.size();
@@ -106,7 +106,6 @@ private:
           heights.begin();
   }
 
-  std::string name;
   double position = 0.;
   std::size_t n_sections = 0;
   std::map<dealii::types::global_dof_index, Node> nodes; ///< by their u1 unknown
@@ -115,12 +114,12 @@ private:
 } // namespace
 
 template <int dim>
-std::unique_ptr<Observable<dim>> make_rotation(const std::string& name)
+std::unique_ptr<Observable<dim>> make_rotation(const ObservableName& name)
 {
   return std::make_unique<Rotation<dim>>(name);
 }
 
-template std::unique_ptr<Observable<2>> make_rotation(const std::string&);
-template std::unique_ptr<Observable<3>> make_rotation(const std::string&);
+template std::unique_ptr<Observable<2>> make_rotation(const ObservableName&);
+template std::unique_ptr<Observable<3>> make_rotation(const ObservableName&);
 
 } // namespace thelma
