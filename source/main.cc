@@ -31,6 +31,7 @@ void print_lists(std::ostream& out)
       out << "  " << std::left << std::setw(20) << one.name << one.meaning << "\n";
   };
   print("elastic laws (section Materials)", elastic_laws());
+  print("branches (section Materials)", branch_laws());
   print("dielectric laws (section Materials)", dielectric_laws());
   print("element formulations (section Discretisation)", formulations<3>().choices());
   print("linear solvers (section Linear solver)", linear_solvers().choices());

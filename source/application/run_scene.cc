@@ -156,6 +156,8 @@ std::string default_parameters()
     regions += (regions.empty() ? "" : ", ") + law.name + ": " + name;
     materials += "subsection " + name + "\n set Elastic law = " + law.name + "\nend\n";
   }
+  regions += ", with branches: viscoelastic";
+  materials += "subsection viscoelastic\n set Branches = " + branch_laws().front().name + "\nend\n";
   const ParameterFile example = ParameterFile::from_text(
       "subsection Regions\n set Materials = " + regions + "\nend\nsubsection Materials\n" +
       materials +

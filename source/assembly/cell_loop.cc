@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace thelma
 {
@@ -36,14 +37,14 @@ void CellLoop<dim>::initialise_internal()
 template <int dim>
 void CellLoop<dim>::keep_memory()
 {
-  n_history = 0;
+  n_remembered = 0;
   for (const Cell<dim>& cell : layout.cells())
-    n_history = std::max(n_history, cell.material->n_history());
-  n_history = dealii::Utilities::MPI::max(n_history, layout.communicator());
-  if (n_history == 0 || fields == Solved::temperature)
+    n_remembered = std::max(n_remembered, cell.material->n_history());
+  n_remembered = dealii::Utilities::MPI::max(n_remembered, layout.communicator());
+  if (n_remembered == 0 || fields == Solved::temperature)
     return;
   state.remember_by([this]() {
-    const std::size_t n = std::size_t(n_history) * element->law_points().size();
+    const std::size_t n = std::size_t(n_remembered) * element->law_points().size();
     std::vector<double> now(layout.cells().size() * n, 0.);
     for_each([&](const CellView<dim>& view) {
       element->update_memory(view, now.data() + view.index * n);
@@ -56,11 +57,19 @@ template <int dim>
 CellMemory CellLoop<dim>::memory(const std::size_t cell) const
 {
   CellMemory memory;
-  memory.n = n_history;
-  memory.dt = state.dt();
-  if (!state.path().empty() && !state.path().back().history.empty())
-    memory.old =
-        state.path().back().history.data() + cell * n_history * element->law_points().size();
+  memory.n = n_remembered;
+  memory.rate = state.rate_without_time;
+  const auto& path = state.path();
+  if (!state.rates || path.empty())
+    return memory;
+  const std::size_t begin = cell * n_remembered * element->law_points().size();
+  memory.old = path.back().history.data() + begin;
+  memory.rate =
+      state.has_no_step() ? std::numeric_limits<double>::infinity() : state.rates->weights[0];
+  if (state.rates->n_past == 2) {
+    memory.older = path[path.size() - 2].history.data() + begin;
+    memory.q = state.rates->weights[2] / state.rates->weights[0];
+  }
   return memory;
 }
 

@@ -14,7 +14,7 @@ void State::start(const double load)
 
 State::Accepted State::accepted(const double load) const
 {
-  return {load, x, internal, remember ? remember() : std::vector<double>()};
+  return {load, x, internal, history()};
 }
 
 void State::resume(std::vector<Accepted> path)

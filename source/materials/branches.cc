@@ -19,7 +19,19 @@ void append(const std::string& name, std::vector<Branch>& list)
   }
 }
 
+template <std::size_t... i>
+std::vector<Choice> choices(std::index_sequence<i...>)
+{
+  return {{std::variant_alternative_t<i, Branch>::name,
+           std::variant_alternative_t<i, Branch>::meaning}...};
+}
+
 } // namespace
+
+std::vector<Choice> Branches::laws()
+{
+  return choices(std::make_index_sequence<std::variant_size_v<Branch>>());
+}
 
 Branches::Branches(const std::vector<std::string>& laws)
 {

@@ -50,6 +50,10 @@ std::vector<Choice> elastic_laws()
 {
   return choices<ElasticLaws>();
 }
+std::vector<Choice> branch_laws()
+{
+  return Branches::laws();
+}
 std::vector<Choice> dielectric_laws()
 {
   return choices<DielectricLaws>();
@@ -67,6 +71,7 @@ MaterialLibrary::MaterialLibrary(const ParameterFile& file)
       declare_laws(prm, name, entry);
     });
     entry.material = create(entry.elastic, entry.dielectric);
+    entry.material->set_branches(Branches(entry.branches));
     entry.has_section = file.has_section({"Materials", name});
   }
 }
@@ -85,9 +90,15 @@ void MaterialLibrary::declare_laws(dealii::ParameterHandler& prm, const std::str
                                    Entry& entry)
 {
   using dealii::Patterns::Selection;
+  namespace Patterns = dealii::Patterns;
   const Section section(prm, {"Materials", name});
   prm.add_parameter("Elastic law", entry.elastic, "Elastic energy W(F_EM, theta).",
                     Selection(pattern(elastic_laws())));
+  prm.add_parameter("Branches", entry.branches,
+                    "Laws of viscoelastic branches beside the elastic law (a generalised Maxwell "
+                    "element), such as `Maxwell, Maxwell`; each has its own section `Branch 1`, "
+                    "`Branch 2`, ...",
+                    Patterns::List(Selection(pattern(branch_laws())), 0, 20));
   prm.add_parameter("Dielectric law", entry.dielectric, "Electric energy.",
                     Selection(pattern(dielectric_laws())));
 }
@@ -97,6 +108,7 @@ void MaterialLibrary::declare(dealii::ParameterHandler& prm)
   material_of_region.clear(); // the declared defaults; reading brings the choices back
   declare_regions(prm);
   for (auto& [name, entry] : materials) {
+    entry.branches.clear();
     entry.elastic = Entry().elastic;
     entry.dielectric = Entry().dielectric;
     declare_laws(prm, name, entry);
@@ -120,6 +132,9 @@ void MaterialLibrary::check(const double theta)
       throw InputError("section Materials/" + name + ", entry 'Bulk modulus': " + error.what());
     }
     require_positive(name, "Bulk modulus", entry.material->thermal.K, at);
+    if (const std::string wrong = entry.material->branch_defect(theta); !wrong.empty())
+      throw InputError("section Materials/" + name + ", entry '" + wrong + "': the value" + at +
+                       " must be positive");
     require_positive(name, "Permittivity", entry.material->permittivity(theta), at);
     constexpr double vacuum = 8.8541878e-6; // N/kV^2
     const double relative = entry.material->permittivity(theta) / vacuum;
@@ -169,7 +184,10 @@ std::vector<std::string> MaterialLibrary::summary(const double theta) const
         entry.dielectric + " dielectric, mu " + as_text(entry.material->shear_modulus(theta)) +
         " MPa, K " + as_text(entry.material->thermal.K) + " MPa, eps " +
         as_text(entry.material->permittivity(theta)) + " N/kV^2" +
-        (entry.material->n_history() > 0 ? ", relaxed where nothing depends on time" : "") +
+        (entry.material->n_history() > 0
+             ? ", " + std::to_string(entry.branches.size()) + " branches of in all " +
+                   as_text(entry.material->branch_modulus(theta)) + " MPa"
+             : "") +
         (entry.has_section ? "" : "; all defaults, because there is no section Materials/" + name));
   }
   return lines;

@@ -1,8 +1,10 @@
 #include <thelma/base/error.h>
+#include <thelma/base/option_names.h>
 #include <thelma/base/quantity.h>
 #include <thelma/simulation/model.h>
 
 #include <cmath>
+#include <limits>
 
 namespace thelma
 {
@@ -32,6 +34,15 @@ void Model<dim>::declare(dealii::ParameterHandler& prm)
         "Uniform temperature; where the temperature is a field, its first guess or initial "
         "value and the temperature at which e is defined.",
         Quantity("K", 1., 1e4));
+  }
+  {
+    const Section section(prm, {"Stepping"});
+    OptionNames<StaticStates>(
+        {{"relaxed", StaticStates::relaxed}, {"instantaneous", StaticStates::instantaneous}})
+        .declare(prm, "Static states", static_states,
+                 "What viscoelastic branches do before time begins, and in scenes without time: "
+                 "`relaxed`: they have had time to relax; `instantaneous`: no time to flow, as "
+                 "after sudden loads.");
   }
   loads.declare(prm);
   loading.declare(prm);
@@ -73,6 +84,8 @@ void Model<dim>::setup()
 {
   state.theta = theta;
   state.theta_start = materials.reference_temperature();
+  if (static_states == StaticStates::instantaneous)
+    state.rate_without_time = std::numeric_limits<double>::infinity();
   state.x = layout.new_vector();
   if (layout.has(Field::temperature))
     state.x.block(layout.block(Field::temperature)) = state.theta_start;

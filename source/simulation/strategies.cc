@@ -58,6 +58,7 @@ void Strategies<dim>::choose_solvers()
     model.settings.counts_for = "Stepping/Unstable states = reject";
   const bool has_heat_in_time = model.layout.has_transient_temperature();
   system.choose(has_heat_in_time ? Solved::deformation : Solved::all);
+  time_steps.control(!model.materials.one_that_remembers().empty());
   if (has_heat_in_time)
     time_steps.choose();
   else if (!system.linear.is_symmetric()) {

@@ -27,16 +27,23 @@ std::vector<std::string> unused_entries(const dealii::ParameterHandler& prm,
   const DeclaredEntries scene(prm);
   const bool in_time = model.layout.is_transient(),
              has_heat = model.layout.has_transient_temperature(),
-             is_electric = model.layout.has(Field::potential);
-  std::vector<Unused> all{{std::stod(scene.value({"Mesh"}, "Imperfection")) == 0.,
-                           "Mesh",
-                           {"Imperfection shape"},
-                           "Imperfection is 0"},
-                          {!in_time, "Time", {}, "nothing evolves in time"},
-                          {in_time && !has_heat,
-                           "Time",
-                           {"Tolerance", "Coupling", "Structural heat"},
-                           "no temperature field is transient"}};
+             is_electric = model.layout.has(Field::potential),
+             remembers = !model.materials.one_that_remembers().empty();
+  std::vector<Unused> all{
+      {std::stod(scene.value({"Mesh"}, "Imperfection")) == 0.,
+       "Mesh",
+       {"Imperfection shape"},
+       "Imperfection is 0"},
+      {!in_time, "Time", {}, "nothing evolves in time"},
+      {in_time && !has_heat,
+       "Time",
+       {"Coupling", "Structural heat"},
+       "no temperature field is transient"},
+      {in_time && !has_heat && remembers,
+       "Time",
+       {"Tolerance"},
+       "no temperature field is transient"},
+      {in_time && !remembers, "Time", {"Strain tolerance"}, "no material has branches"}};
   if (in_time)
     for (const auto& [entry, reason] : model.loads.idle_amplitudes())
       all.push_back({true, "Time", {entry}, reason});
@@ -46,6 +53,7 @@ std::vector<std::string> unused_entries(const dealii::ParameterHandler& prm,
        {"Control", "Target", "Film thickness", "Film material"},
        "every region is passive"},
       {!follows, "Stepping", {"Most steps"}, "Continuation is not automatic"},
+      {!remembers, "Stepping", {"Static states"}, "no material has branches"},
       {follows, "Stepping", {"Unstable states"}, "Continuation goes on through them"},
       {!model.system.linear.iterates(),
        "Linear solver",

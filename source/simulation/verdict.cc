@@ -108,7 +108,19 @@ void Verdict<dim>::on_path(const StepsEnd end)
 template <int dim>
 void Verdict<dim>::on_time()
 {
-  end_here(EndReason::no_convergence, strategies.time_steps.why_exhausted());
+  const TimeSteps<dim>& steps = strategies.time_steps;
+  const double failed = steps.failed_time();
+  const bool turns = model.state.estimated_limit() <= failed + 2. * model.state.recent_span();
+  if (steps.last_failure().converged || !turns)
+    return end_here(EndReason::no_convergence, steps.why_exhausted());
+  std::ostringstream between;
+  between << std::setprecision(8) << " between t = " << model.state.accepted_load() << " s and "
+          << failed << " s";
+  end_here(EndReason::pull_in, between.str());
+  if (!model.loading.expects_pull_in()) {
+    outcome.code = ExitCode::not_converged;
+    outcome.reason += ", before the end of time";
+  }
 }
 
 /// The newest row of the curve is the last.

@@ -26,12 +26,24 @@ void TimeStepper::declare(dealii::ParameterHandler& prm)
   add_quantity(prm, "Largest step", largest, "Largest time step.", Quantity("s", 1e-15));
   add_quantity(prm, "Tolerance", tolerance,
                "Error of the temperature that one time step may make (root mean square over the "
-               "nodes); 0: every step is as long as the first.",
+               "nodes); 0: the temperature does not choose the steps. Without any tolerance every "
+               "step is as long as the first.",
                Quantity("K", 0.).of_difference());
+  prm.add_parameter("Strain tolerance", strain_tolerance,
+                    "Error of the internal variables of laws that remember, such as the viscous "
+                    "strain C_v, that one time step may make (root mean square over the points); "
+                    "0: they do not choose the steps.",
+                    dealii::Patterns::Double(0.));
   add_quantity(prm, "Stops", wanted_stops,
                "Times that the steps meet, beside the corners and jumps of amplitudes and, unless "
-               "the Tolerance is 0, the times between which these are straight within 2 %.",
+               "the steps are all alike, the times between which these are straight within 2 %.",
                Quantity("s", 0.), 0, 1000000);
+}
+
+void TimeStepper::control(const bool has_temperature, const bool has_memory)
+{
+  is_adaptive =
+      (has_memory && strain_tolerance > 0.) || ((has_temperature || !has_memory) && tolerance > 0.);
 }
 
 void TimeStepper::start(const std::vector<double>& kinks, const std::vector<double>& bends)
@@ -41,7 +53,7 @@ void TimeStepper::start(const std::vector<double>& kinks, const std::vector<doub
   size = std::min(initial, largest);
   stops = kinks;
   stops.insert(stops.end(), wanted_stops.begin(), wanted_stops.end());
-  if (tolerance > 0.)
+  if (is_adaptive)
     stops.insert(stops.end(), bends.begin(), bends.end());
   std::sort(stops.begin(), stops.end());
   const auto is_near = [&](const double a, const double b) { return b - a < instant * end; };
@@ -56,7 +68,7 @@ std::string TimeStepper::steps_over(std::vector<double> bends) const
   if (bends.size() > most)
     return "warning: the amplitudes change so often up to Time/End that time steps may pass over "
            "some of it; shorten Time/End, or give them as tables";
-  if (tolerance > 0. || bends.empty())
+  if (is_adaptive || bends.empty())
     return "";
   bends.push_back(0.);
   std::sort(bends.begin(), bends.end());
@@ -82,17 +94,17 @@ double TimeStepper::next()
 bool TimeStepper::accept(const std::optional<StepError>& error)
 {
   constexpr double safety = 0.9, least = 0.2, most = 2., unknown = 0.5;
-  double factor = tolerance == 0. ? most : unknown; // after a cut, back to the first length
-  if (tolerance > 0. && error)
-    factor = std::clamp(
-        safety * std::pow(tolerance / std::max(error->value, 1e-300), 1. / (error->order + 1)),
-        least, most);
+  double factor = is_adaptive ? unknown : most; // after a cut, back to the first length
+  if (is_adaptive && error)
+    factor =
+        std::clamp(safety * std::pow(1. / std::max(error->value, 1e-300), 1. / (error->order + 1)),
+                   least, most);
   const bool accepted = tolerates(error);
   const double taken = trial - time;
   if (accepted)
     time = trial;
   // A step that only met a stop says nothing against longer ones.
-  const double longest = tolerance == 0. ? std::min(initial, largest) : largest;
+  const double longest = is_adaptive ? largest : std::min(initial, largest);
   size = accepted ? std::min(std::max(factor * taken, factor >= 1. ? size : 0.), longest)
                   : std::min(factor, 0.8) * taken;
   return accepted;

@@ -119,19 +119,39 @@ StepReport TimeSteps<dim>::advance()
 template <int dim>
 NewtonReport TimeSteps<dim>::solve(const bool is_last_part, const bool extrapolates)
 {
-  if (!has_heat()) {
-    step_error = StepError{0., stepper.order()};
-    return deform(extrapolates);
+  step_error = StepError{0., stepper.order()};
+  NewtonReport warmed;
+  if (has_heat()) {
+    warmed = equilibrium.solver().solve(heated);
+    if (!warmed.converged)
+      return warmed;
+    if (is_last_part)
+      include(TimeError<dim>(layout, conditions, state, stepper.order(), longer).of_temperature(),
+              &TimeStepper::of_temperature);
+    if (is_last_part && !stepper.tolerates(step_error))
+      return warmed;
   }
-  const NewtonReport warmed = equilibrium.solver().solve(heated);
-  if (warmed.converged && is_last_part)
-    step_error = temperature_error(layout, conditions, state, stepper.order(), longer);
-  const bool deforms = !is_monolithic() && (!is_last_part || stepper.tolerates(step_error));
-  if (!warmed.converged || !deforms)
-    return warmed;
-  NewtonReport deformed = deform(extrapolates);
-  deformed.add(warmed);
-  return deformed;
+  NewtonReport report = warmed;
+  if (!is_monolithic()) {
+    report = deform(extrapolates);
+    report.add(warmed);
+  }
+  if (report.converged && is_last_part && has_memory)
+    include(TimeError<dim>(layout, conditions, state, stepper.order(), longer)
+                .of_memory(deformation.cells.n_history()),
+            &TimeStepper::of_memory);
+  return report;
+}
+
+/// The largest error counts, and one that is unknown.
+template <int dim>
+void TimeSteps<dim>::include(const std::optional<StepError>& error, const Measure measure)
+{
+  if (!error || !step_error)
+    step_error.reset();
+  else if (const StepError relative = (stepper.*measure)(*error);
+           relative.value >= step_error->value)
+    step_error = relative;
 }
 
 /// Solve for the deformation once the temperature is known.
@@ -196,7 +216,7 @@ void TimeSteps<dim>::cut_back(const StepReport& step)
   if (step.newton.converged) {
     stepper.accept(step_error);
     if (state.path().size() == 1)
-      longer = {state.time, state.x, {}};
+      longer = {state.time, state.x, {}, state.history()};
     restore();
   } else {
     restore();

@@ -42,7 +42,9 @@ public:
   template <typename Visitor>
   void for_each(const Visitor& visit) const;
 
-  /// What the laws of an own cell remember.
+  /// How many numbers a point remembers, by the law with most of the scene; what the laws of an own
+  /// cell remember.
+  unsigned int n_history() const { return n_remembered; }
   CellMemory memory(std::size_t cell) const;
 
   /// What the own cells store in mJ, in plane strain per mm.
@@ -55,7 +57,7 @@ private:
   State& state;
   Solved fields = Solved::all;
   std::unique_ptr<Formulation<dim>> element;
-  unsigned int n_history = 0; ///< numbers remembered at a point, by the law with most of the scene
+  unsigned int n_remembered = 0;
   bool pressures_are_kept = false;
   std::vector<double> stabilisations;
 };
@@ -88,7 +90,7 @@ void CellLoop<dim>::for_each(const Visitor& visit) const
       }
       view.history = &history;
     }
-    if (n_history > 0)
+    if (n_remembered > 0)
       view.memory = memory(index);
     view.keeps_pressures = pressures_are_kept;
     visit(view);

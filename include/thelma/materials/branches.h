@@ -1,5 +1,6 @@
 #pragma once
 
+#include <thelma/base/named_list.h>
 #include <thelma/base/parameters.h>
 #include <thelma/materials/maxwell_branch.h>
 
@@ -18,6 +19,9 @@ using Branch = std::variant<MaxwellBranch>;
 class Branches
 {
 public:
+  /// All laws, each with its meaning.
+  static std::vector<Choice> laws();
+
   /// Of these laws (MaxwellBranch::name).
   explicit Branches(const std::vector<std::string>& laws = {});
 
@@ -48,9 +52,8 @@ public:
     Number sum = 0.;
     if (acts(history)) {
       const IsochoricStrain<Number> strain(F, J);
-      for_each(history, [&](const auto& branch, const auto& own) {
-        sum += branch.W(strain, theta, own);
-      });
+      for_each(history,
+               [&](const auto& branch, const auto& own) { sum += branch.W(strain, theta, own); });
     }
     return sum;
   }

@@ -10,9 +10,9 @@ namespace thelma
 
 /// The free energy of theory.md, eq. 4, from an elastic and a dielectric law:
 ///   psi = (theta/theta_0) [W(F_EM, theta) + U(J_EM)] + psi_dielectric(F, E, theta) + psi_t(theta).
-/// Branches with memory add their incremental potential to W (theory.md, eq. 37), of which P and its
-/// derivatives follow; energies and entropy count what they store, and their derivatives here leave
-/// the flow out. Number-generic, so that Sacado can differentiate each function and the tests
+/// Branches with memory add their incremental potential to W (theory.md, eq. 37), of which P and
+/// its derivatives follow; energies and entropy count what they store, and their derivatives here
+/// leave the flow out. Number-generic, so that Sacado can differentiate each function and the tests
 /// compare.
 template <class Elastic, class Dielectric>
 class ComposedMaterial final : public Material
@@ -36,8 +36,8 @@ public:
     const Number s = thermal.split(state.theta);
     const Tensor3<2, Number> F_EM = s * state.F;
     const Number J_EM = kin.J * s * s * s;
-    const Number W = elastic.W(F_EM, J_EM, state.theta) +
-                     branches.W(F_EM, J_EM, state.theta, state.history);
+    const Number W =
+        elastic.W(F_EM, J_EM, state.theta) + branches.W(F_EM, J_EM, state.theta, state.history);
     return state.theta / thermal.theta_0 * W + dielectric.psi(state, kin) +
            thermal.psi(state.theta);
   }

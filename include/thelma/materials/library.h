@@ -14,6 +14,7 @@ namespace thelma
 
 std::vector<Choice> elastic_laws();
 std::vector<Choice> dielectric_laws();
+std::vector<Choice> branch_laws();
 
 /// Materials by name, and which one fills each named region of the mesh.
 class MaterialLibrary
@@ -54,7 +55,8 @@ public:
 private:
   struct Entry {
     Entry();
-    std::string elastic, dielectric; ///< laws
+    std::string elastic, dielectric;   ///< laws
+    std::vector<std::string> branches; ///< laws
     std::unique_ptr<Material> material;
     bool has_section = false; ///< in the file
   };

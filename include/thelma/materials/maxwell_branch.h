@@ -65,8 +65,8 @@ public:
     for (unsigned int i = 0; i < n_history; ++i)
       K[i] = old[i] + q * (old[i] - older[i]);
     const double minor = K[0] * K[1] - K[3] * K[3];
-    const double det = K[2] * minor - K[0] * K[5] * K[5] - K[1] * K[4] * K[4] +
-                       2. * K[3] * K[4] * K[5];
+    const double det =
+        K[2] * minor - K[0] * K[5] * K[5] - K[1] * K[4] * K[4] + 2. * K[3] * K[4] * K[5];
     if (!(K[0] > 0. && minor > 0. && det > 0.))
       std::copy(old, old + n_history, K);
   }
@@ -91,8 +91,7 @@ public:
   {
     const Flow<Number> flow(*this, strain, theta, history);
     const Stress<Number> stress(flow, strain, F);
-    const Number modulus = G.value(theta), slope = G.slope(theta),
-                 I = (3. * stress.m - 3.) / 2.;
+    const Number modulus = G.value(theta), slope = G.slope(theta), I = (3. * stress.m - 3.) / 2.;
     const Tensor3<2, Number> P = stress.T - stress.m * kin.G;
     d.W += modulus * I;
     d.W_theta += slope * I;

@@ -27,8 +27,8 @@ public:
         .declare(prm, "Shift", shift,
                  "Factor a_T of the relaxation time: `none`: 1; `Arrhenius`: exp(Ea/R (1/theta - "
                  "1/theta_r)); `WLF`: 10^(-C1 (theta - theta_r)/(C2 + theta - theta_r)).");
-    prm.add_parameter("Activation energy", activation_energy,
-                      "Ea of the Arrhenius shift in J/mol.", dealii::Patterns::Double(0.));
+    prm.add_parameter("Activation energy", activation_energy, "Ea of the Arrhenius shift in J/mol.",
+                      dealii::Patterns::Double(0.));
     prm.add_parameter("WLF constants", wlf, "C1 and C2 (K) of the WLF shift.",
                       dealii::Patterns::List(dealii::Patterns::Double(0.), 2, 2));
     add_quantity(prm, "Shift temperature", theta_r, "theta_r, at which the shift is 1.",

@@ -53,7 +53,11 @@ public:
   Predictor<dim> predictor;
 
 private:
+  enum class StaticStates { relaxed, instantaneous };
+
   std::string doubt_about_thickness() const;
+
+  StaticStates static_states = StaticStates::relaxed;
 };
 
 } // namespace thelma

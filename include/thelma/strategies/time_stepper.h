@@ -10,9 +10,9 @@
 namespace thelma
 {
 
-/// What a time step did wrong to the temperature.
+/// What a time step did wrong.
 struct StepError {
-  double value;       ///< root mean square over the nodes, in K
+  double value;       ///< in its own unit, or over the tolerance
   unsigned int order; ///< of the differences that made it
 };
 
@@ -21,6 +21,13 @@ class TimeStepper
 {
 public:
   void declare(dealii::ParameterHandler& prm);
+
+  /// Whether there is a temperature, and internal variables, whose errors have tolerances.
+  void control(bool has_temperature, bool has_memory);
+
+  /// The @p error over its tolerance; zero where nothing is asked.
+  StepError of_temperature(const StepError& error) const { return over(tolerance, error); }
+  StepError of_memory(const StepError& error) const { return over(strain_tolerance, error); }
 
   /// Begin at time 0; the steps meet each of the times @p kinks, those that the scene names and,
   /// where their length is not given, the times @p bends.
@@ -35,10 +42,10 @@ public:
   /// Next time to try, in s.
   double next();
 
-  /// Whether the @p error of the step is small enough; an unknown one is not.
+  /// Whether the @p error of the step over the tolerance is small enough; an unknown one is not.
   bool tolerates(const std::optional<StepError>& error) const
   {
-    return tolerance == 0. || (error && error->value <= tolerance);
+    return !is_adaptive || (error && error->value <= 1.);
   }
 
   /// End the step and choose the length of the next. Returns whether its @p error is tolerated; if
@@ -63,7 +70,13 @@ public:
 private:
   enum class Scheme { BDF2, backward_Euler };
 
-  double end = 1., initial = 0.01, largest = 1e300, tolerance = 0.1;
+  static StepError over(const double tolerance, const StepError& error)
+  {
+    return {tolerance > 0. ? error.value / tolerance : 0., error.order};
+  }
+
+  double end = 1., initial = 0.01, largest = 1e300, tolerance = 0.1, strain_tolerance = 1e-3;
+  bool is_adaptive = true;
   Scheme scheme = Scheme::BDF2;
   std::vector<double> wanted_stops;
 

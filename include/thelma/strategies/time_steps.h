@@ -37,6 +37,17 @@ public:
   /// unstable directions.
   void choose();
 
+  /// Whether laws remember, so that their errors choose the steps too.
+  void control(const bool remembers)
+  {
+    has_memory = remembers;
+    stepper.control(has_heat(), has_memory);
+  }
+
+  /// Why the newest state was refused; where the path through the last states turns back in time.
+  const NewtonReport& last_failure() const { return failed.newton; }
+  double failed_time() const { return failed.load; }
+
   /// Begin at time 0 with the iterate.
   void start();
 
@@ -71,6 +82,8 @@ private:
   bool has_heat() const { return layout.has_transient_temperature(); }
   bool is_monolithic() const { return has_heat() && coupling == Coupling::monolithic; }
   NewtonReport solve(bool is_last_part, bool extrapolates);
+  using Measure = StepError (TimeStepper::*)(const StepError&) const;
+  void include(const std::optional<StepError>& error, Measure measure);
   NewtonReport deform(bool extrapolates);
   bool loads_are_steady() const;
   bool loads_jump() const;
@@ -94,7 +107,7 @@ private:
   std::optional<StepError> step_error;   ///< of the step that was tried last
   std::vector<double> accepted_levels;   ///< of the loads in the last accepted state
   unsigned int parts = 1;                ///< in which loads that jump come, as time does not help
-  bool is_exhausted = false;
+  bool has_memory = false, is_exhausted = false;
   StepReport failed; ///< the step that was refused last
 };
 

@@ -26,11 +26,15 @@ using PaperMaterial = ComposedMaterial<NeoHookean, IdealDielectric>;
 inline const PointState<> some_state{Tensor3<2>({{1.2, .3, -.1}, {-.2, .9, .2}, {.1, .15, 1.1}}),
                                      Tensor3<1>({6., -4., 9.}), 340.};
 
-/// A material with the entries `set name = value` of @p entries, the others at their defaults.
+/// A material with the entries `set name = value` of @p entries, the others at their defaults, and
+/// so many Maxwell branches.
 template <class SomeMaterial>
-std::unique_ptr<SomeMaterial> material_with(const std::string& entries)
+std::unique_ptr<SomeMaterial> material_with(const std::string& entries,
+                                            const unsigned int n_branches = 0)
 {
   auto material = std::make_unique<SomeMaterial>();
+  material->set_branches(
+      Branches(std::vector<std::string>(n_branches, std::string(MaxwellBranch::name))));
   dealii::ParameterHandler prm;
   material->declare(prm);
   prm.parse_input_from_string(entries);
@@ -157,7 +161,7 @@ public:
     before.F = deformation();
     before.theta = uniform(250., 400.);
     material.update_history(before, memories.back().data());
-    return {memories.back().data(), std::pow(10., uniform(-1., 2.))};
+    return {memories.back().data(), std::pow(10., uniform(-2., 1.))};
   }
 
   /// 250 to 400 K and |E| up to twice the nominal field 0.687 sqrt(mu/eps) at which a free planar
