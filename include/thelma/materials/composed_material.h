@@ -20,7 +20,7 @@ struct HistoryOf<Law, std::void_t<decltype(Law::n_history)>> {
 
 /// The free energy of theory.md, eq. 4, from an elastic and a dielectric law:
 ///   psi = (theta/theta_0) [W(F_EM, theta) + U(J_EM)] + psi_dielectric(F, E, theta) + psi_t(theta).
-/// If the elastic law has internal variables, W is its incremental potential (theory.md, eq. 37):
+/// If the elastic law has internal variables, W is its incremental potential (theory.md, eq. 38):
 /// while time passes it counts what flow dissipates as well as what is stored. Number-generic, so
 /// that Sacado can differentiate each function and the tests compare.
 template <class Elastic, class Dielectric>

@@ -6,7 +6,7 @@ namespace thelma
 {
 
 /// A spring of shear modulus G in series with a dashpot of relaxation time tau, at finite strain
-/// (theory.md, eqs. 35 to 39). Its internal variable is C_v, symmetric with det C_v = 1, which
+/// (theory.md, eqs. 36 to 40). Its internal variable is C_v, symmetric with det C_v = 1, which
 /// flows towards C = J^{-2/3} F^T F. A step of length dt ends where an incremental potential W is
 /// least among all C_v of determinant 1: with b = 1 - a = dt/(tau + dt) and the old C_v,
 ///   N = a C_v + b C,   c = (det N)^{1/3},   C_v -> N/c,   W = 3 G/2 (c - 1)/b.
@@ -35,7 +35,7 @@ public:
     return potential(Flow<Number>(*this, F, J, history));
   }
 
-  /// Add W and W_F = G (T - m g), m = tr(B)/3, g = F^{-T} (theory.md, eq. 39).
+  /// Add W and W_F = G (T - m g), m = tr(B)/3, g = F^{-T} (theory.md, eq. 40).
   template <typename Number>
   void add_first(const Tensor3<2, Number>& F, const Kinematics<Number>& kin,
                  const PointHistory<Given<Number>>& history, ElasticDerivatives<Number>& d) const
@@ -112,7 +112,7 @@ private:
     Tensor3<2, Number> C, C_v, N, N_inverse;
   };
 
-  /// W of theory.md, eq. 38: c^3 - 1 = b y, whose digits survive where b is small.
+  /// W of theory.md, eq. 39: c^3 - 1 = b y, whose digits survive where b is small.
   template <typename Number>
   Number potential(const Flow<Number>& flow) const
   {
