@@ -2,7 +2,7 @@
 
 A shell A < R < B stays one, r(R), under a pressure p inside and a voltage V across it. With
 lambda_r = r', lambda_t = r/R and the nominal electric displacement D = c/R^2 of the free energy
-(doc/theory.md, eqs. 5 to 12; Gent's, eq. (6), with j = J_m/(J_m - I + 3) in place of 1)
+(doc/theory.md, eqs. 5 to 13; Gent's, eq. (6), with j = J_m/(J_m - I + 3) in place of 1)
 
     P_r = mu (j lambda_r - 1/lambda_r) + K ln J/lambda_r + D^2/(2 eps lambda_t^2)
     P_t = mu (j lambda_t - 1/lambda_t) + K ln J/lambda_t - D^2 lambda_r/(2 eps lambda_t^3)

@@ -1,4 +1,4 @@
-// The matrix of theory.md, eq. 60.
+// The matrix of theory.md, eq. 61.
 
 #include <thelma/assembly/tangent_matrix.h>
 #include <thelma/elements/integrate.h>

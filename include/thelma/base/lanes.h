@@ -78,6 +78,10 @@ struct Lanes {
   {
     return x.each([](const double y) { return std::log(y); });
   }
+  friend Lanes sqrt(const Lanes& x)
+  {
+    return x.each([](const double y) { return std::sqrt(y); });
+  }
 
   template <typename Function>
   Lanes each(const Function& f) const
@@ -113,6 +117,16 @@ Number positive(const Number& x)
     return x.each([nan](const double y) { return y > 0. ? y : nan; });
   else
     return x > 0. ? x : Number(nan);
+}
+
+/// @p low where @p x is below @p limit, @p high elsewhere.
+template <typename Number>
+Number below(const Number& x, const double limit, const Number& low, const Number& high)
+{
+  if constexpr (std::is_same<Number, Lanes>::value)
+    return Lanes(x.v < Lanes(limit).v ? low.v : high.v);
+  else
+    return x < limit ? low : high;
 }
 
 } // namespace thelma

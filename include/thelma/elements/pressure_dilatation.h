@@ -9,10 +9,10 @@ namespace thelma
 {
 
 /// Formulations in which the volumetric energy sees a dilatation t of the cell instead of J, tied
-/// to it by a pressure p (theory.md, eq. 18):
+/// to it by a pressure p (theory.md, eq. 19):
 ///   Pi = int psi - psi_v(J) + psi_v(t) + p (J - t) dV.
 /// p and t are iterates of Newton's method and condensed from each linear system only, so that the
-/// volumetric energy never meets a displacement that is not yet in balance (eq. (19)).
+/// volumetric energy never meets a displacement that is not yet in balance (eq. (20)).
 ///
 /// Internal unknowns: p, then t. What elimination keeps of a tangent: S = M H M, then B, the
 /// derivative of R_p by each displacement component; with a temperature field also of R_t by the

@@ -5,7 +5,7 @@
 #include <cmath>
 
 /// Heat that deformation and field make: theta h N_a in the heat balance, with the rate of entropy
-/// h of theory.md, eqs. 25 and 28. The capacity is elsewhere (HeatStorage).
+/// h of theory.md, eqs. 26 and 29. The capacity is elsewhere (HeatStorage).
 namespace thelma
 {
 

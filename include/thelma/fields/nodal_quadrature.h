@@ -13,7 +13,7 @@ namespace thelma
 {
 
 /// Add to the entries of @p field in @p nodal the integrals of @p density(cell) times their shape
-/// functions, by the quadrature whose points are the nodes (theory.md, eq. 27); compress(add) comes
+/// functions, by the quadrature whose points are the nodes (theory.md, eq. 28); compress(add) comes
 /// later.
 template <int dim>
 void add_nodal_integrals(const DofLayout<dim>& layout, Field field,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <thelma/materials/arruda_boyce.h>
 #include <thelma/materials/composed_material.h>
 #include <thelma/materials/gent.h>
 #include <thelma/materials/ideal_dielectric.h>
@@ -13,7 +14,7 @@ namespace thelma
 
 /// The laws a .prm can choose: one page and one name here each. The derivative test runs over
 /// every combination by itself.
-using ElasticLaws = std::tuple<NeoHookean, Gent, MooneyRivlin>;
+using ElasticLaws = std::tuple<NeoHookean, Gent, ArrudaBoyce, MooneyRivlin>;
 using DielectricLaws = std::tuple<IdealDielectric>;
 
 /// Call @p visit(static_cast<ComposedMaterial<E, D>*>(nullptr), name of E, name of D) for each E,

@@ -5,7 +5,7 @@
 namespace thelma
 {
 
-/// Compressible Mooney-Rivlin, without its volumetric energy (theory.md, eq. 7):
+/// Compressible Mooney-Rivlin, without its volumetric energy (theory.md, eq. 8):
 ///   W = mu(theta)/2 ((1 - m) (I_1 - 3) + m (I_2 - 3) - 2 (1 + m) ln J),
 ///   W_F = mu ((1 - m) F + m (I_1 F - F C) - (1 + m) F^{-T}),
 /// with the invariants I_1, I_2 of C = F^T F and the share m of the second one in the modulus.

@@ -86,12 +86,12 @@ private:
 
 /// Error of a step of backward differences of @p order as a part of the distance between its result
 /// and the polynomial of the same order through the accepted states, given their @p times, newest
-/// last (theory.md, eq. 29).
+/// last (theory.md, eq. 30).
 double error_share(double time, const std::vector<double>& times, unsigned int order);
 
 /// The same for the first step, to @p time from 0: as a part of the distance between the result of
 /// a @p longer first step and the line through the start and the result of this one (theory.md,
-/// eq. 30).
+/// eq. 31).
 double first_error_share(double time, double longer);
 
 } // namespace thelma
