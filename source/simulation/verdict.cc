@@ -109,9 +109,9 @@ template <int dim>
 void Verdict<dim>::on_time()
 {
   const TimeSteps<dim>& steps = strategies.time_steps;
-  const double failed = steps.failed_time();
+  const double failed = steps.last_failure().load;
   const bool turns = model.state.estimated_limit() <= failed + 2. * model.state.recent_span();
-  if (steps.last_failure().converged || !turns)
+  if (steps.last_failure().newton.converged || !turns)
     return end_here(EndReason::no_convergence, steps.why_exhausted());
   std::ostringstream between;
   between << std::setprecision(8) << " between t = " << model.state.accepted_load() << " s and "

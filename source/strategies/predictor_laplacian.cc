@@ -1,4 +1,4 @@
-// The matrix of theory.md, eq. 61.
+// The matrix of theory.md, eq. 62.
 
 #include <thelma/assembly/tangent_matrix.h>
 #include <thelma/elements/integrate.h>

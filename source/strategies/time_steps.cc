@@ -31,6 +31,50 @@ std::vector<double> times_of(const State& state)
   return times;
 }
 
+/// Whether only the temperature makes the body deform on the way from the accepted states.
+template <int dim>
+bool are_steady(const Loads<dim>& loads, const State& state)
+{
+  for (const double time : times_of(state)) {
+    const std::vector<double> then = loads.levels_at(time);
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      if (loads[i].acts_on() != Field::temperature && then[i] != loads[i].level())
+        return false;
+  }
+  return true;
+}
+
+/// Whether loads change however short the next step.
+template <int dim>
+bool jump(const Loads<dim>& loads, const State& state, const std::vector<double>& accepted_levels,
+          const double final_time)
+{
+  constexpr double instant = 1e-9, smooth = 1e-6;
+  const std::vector<double> soon = loads.levels_at(state.accepted_load() + instant * final_time);
+  for (std::size_t i = 0; i < loads.size(); ++i)
+    if (loads[i].is_present() && loads[i].acts_at_once() &&
+        std::abs(soon[i] - accepted_levels[i]) > smooth)
+      return true;
+  return false;
+}
+
+template <int dim>
+std::string coupling_advice(const DofLayout<dim>& layout, const bool is_monolithic)
+{
+  const double n = layout.n_dofs(Field::displacement) +
+                   (layout.has(Field::potential) ? layout.n_dofs(Field::potential) : 0);
+  const double n_theta = layout.n_dofs(Field::temperature);
+  // Operations of a factorisation by nested dissection, twice as many if it is unsymmetric.
+  const double power = dim == 2 ? 1.5 : 2.;
+  const double ratio =
+      2. * std::pow(n + n_theta, power) / (std::pow(n, power) + std::pow(n_theta, power));
+  std::ostringstream text;
+  text << std::setprecision(2) << "coupling: " << (is_monolithic ? "monolithic" : "staggered")
+       << "; staggered is cheaper, because its two matrices are symmetric and smaller: one "
+       << "monolithic factorisation costs about " << ratio << " times as much";
+  return text.str();
+}
+
 } // namespace
 
 template <int dim>
@@ -158,35 +202,9 @@ void TimeSteps<dim>::include(const std::optional<StepError>& error, const Measur
 template <int dim>
 NewtonReport TimeSteps<dim>::deform(const bool extrapolates)
 {
-  if (has_heat() && extrapolates && loads_are_steady())
+  if (has_heat() && extrapolates && are_steady(loads, state))
     predictor.follow_temperature();
   return equilibrium.find(deformation);
-}
-
-/// Whether only the temperature makes the body deform on the way from the accepted states.
-template <int dim>
-bool TimeSteps<dim>::loads_are_steady() const
-{
-  for (const double time : times_of(state)) {
-    const std::vector<double> then = loads.levels_at(time);
-    for (std::size_t i = 0; i < loads.size(); ++i)
-      if (loads[i].acts_on() != Field::temperature && then[i] != loads[i].level())
-        return false;
-  }
-  return true;
-}
-
-/// Whether loads change however short the next step.
-template <int dim>
-bool TimeSteps<dim>::loads_jump() const
-{
-  constexpr double instant = 1e-9, smooth = 1e-6;
-  const std::vector<double> soon = loads.levels_at(state.accepted_load() + instant * final_time());
-  for (std::size_t i = 0; i < loads.size(); ++i)
-    if (loads[i].is_present() && loads[i].acts_at_once() &&
-        std::abs(soon[i] - accepted_levels[i]) > smooth)
-      return true;
-  return false;
 }
 
 template <int dim>
@@ -221,7 +239,7 @@ void TimeSteps<dim>::cut_back(const StepReport& step)
   } else {
     restore();
     stepper.cut_back();
-    if (loads_jump())
+    if (jump(loads, state, accepted_levels, final_time()))
       parts = std::min(2 * parts, most);
     predictor.adapt(std::numeric_limits<double>::infinity());
   }
@@ -265,29 +283,12 @@ std::vector<std::string> TimeSteps<dim>::summary() const
                                  std::string(stepper.order() == 2 ? "BDF2" : "backward Euler")};
   if (has_heat()) {
     lines.front() += ", structural heat: " + structural_heats().name(structural_heat);
-    lines.push_back(coupling_advice());
+    lines.push_back(coupling_advice(layout, is_monolithic()));
   }
   if (const std::string sentence = stepper.steps_over(loads.amplitude_times().bends);
       !sentence.empty())
     lines.push_back(sentence);
   return lines;
-}
-
-template <int dim>
-std::string TimeSteps<dim>::coupling_advice() const
-{
-  const double n = layout.n_dofs(Field::displacement) +
-                   (layout.has(Field::potential) ? layout.n_dofs(Field::potential) : 0);
-  const double n_theta = layout.n_dofs(Field::temperature);
-  // Operations of a factorisation by nested dissection, twice as many if it is unsymmetric.
-  const double power = dim == 2 ? 1.5 : 2.;
-  const double ratio =
-      2. * std::pow(n + n_theta, power) / (std::pow(n, power) + std::pow(n_theta, power));
-  std::ostringstream text;
-  text << std::setprecision(2) << "coupling: " << (is_monolithic() ? "monolithic" : "staggered")
-       << "; staggered is cheaper, because its two matrices are symmetric and smaller: one "
-       << "monolithic factorisation costs about " << ratio << " times as much";
-  return text.str();
 }
 
 template class TimeSteps<2>;

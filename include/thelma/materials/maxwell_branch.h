@@ -26,7 +26,7 @@ struct IsochoricStrain {
 };
 
 /// A spring of shear modulus G(theta) in series with a dashpot of relaxation time tau(theta), at
-/// finite strain (theory.md, eqs. 36 to 40). Its internal variable is C_v, symmetric with det C_v =
+/// finite strain (theory.md, eqs. 36 to 41). Its internal variable is C_v, symmetric with det C_v =
 /// 1, which flows towards C_iso. With the rate r (C_v - K) of C_v by backward differences, a step
 /// ends where an incremental potential W is least among all C_v of determinant 1: with
 /// b = 1 - a = 1/(1 + r tau),
@@ -83,7 +83,7 @@ public:
   }
 
   /// Add what is stored, w = G/2 (C_iso : C_v^{-1} - 3), and the derivatives of W,
-  /// W_F = G (T - m g) with m = tr(B)/3, g = F^{-T} (theory.md, eq. 40).
+  /// W_F = G (T - m g) with m = tr(B)/3, g = F^{-T} (theory.md, eq. 41).
   template <typename Number>
   void add_first(const Tensor3<2, Number>& F, const Kinematics<Number>& kin,
                  const IsochoricStrain<Number>& strain, const Number& theta,

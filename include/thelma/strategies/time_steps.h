@@ -44,9 +44,8 @@ public:
     stepper.control(has_heat(), has_memory);
   }
 
-  /// Why the newest state was refused; where the path through the last states turns back in time.
-  const NewtonReport& last_failure() const { return failed.newton; }
-  double failed_time() const { return failed.load; }
+  /// The step that was refused last, whose load is its time.
+  const StepReport& last_failure() const { return failed; }
 
   /// Begin at time 0 with the iterate.
   void start();
@@ -85,11 +84,8 @@ private:
   using Measure = StepError (TimeStepper::*)(const StepError&) const;
   void include(const std::optional<StepError>& error, Measure measure);
   NewtonReport deform(bool extrapolates);
-  bool loads_are_steady() const;
-  bool loads_jump() const;
   void prescribe(double time, unsigned int part);
   void restore();
-  std::string coupling_advice() const;
 
   DiscreteSystem<dim>&deformation, &heated;
   const DofLayout<dim>& layout;

@@ -165,7 +165,7 @@ public:
   }
 
   /// 250 to 400 K and |E| up to twice the nominal field 0.687 sqrt(mu/eps) at which a free planar
-  /// film pulls in (theory.md, eq. 42).
+  /// film pulls in (theory.md, eq. 43).
   PointState<> next(const Material& material)
   {
     PointState<> state;
