@@ -61,8 +61,7 @@ void check_name(const std::string& name, const std::map<std::string, std::string
     for (const auto& entry : kinds)
       if (!contains(known, entry.first))
         known.push_back(entry.first);
-    throw InputError("unknown observable '" + name +
-                     "', which has no Kind in the section Observables/" + name +
+    throw InputError("unknown observable '" + name + "', and Observables/" + name + " has no Kind" +
                      did_you_mean(name, known));
   }
   if (!is_name(name))
