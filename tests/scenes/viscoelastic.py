@@ -1,0 +1,157 @@
+"""Viscoelastic films against their exact histories: stretched, left to relax, charged until they
+pull in, at once or after a delay.
+
+    viscoelastic.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
+"""
+
+import functools
+import json
+import math
+
+import numpy as np
+
+from scene import program_and_ranks, require, settings, side_by_side, validated
+import viscoelastic_exact as exact
+
+K = exact.STIFF  # kPa
+PEAK = 2.5
+ELEMENTS = (("selective reduced", 1), ("mean dilatation", 1), ("enhanced strain", 1),
+            ("mean dilatation", 2))
+
+
+@functools.lru_cache
+def tension(rate):
+    """A triangle of the stretch of VHB 4910."""
+    return exact.uniaxial(exact.vhb(5.85, K=K), rate, PEAK)
+
+
+def element(formulation, degree):
+    """The entries that choose it."""
+    return {"Discretisation/Formulation": formulation, "Discretisation/Degree": str(degree)}
+
+
+def triangle(rate):
+    """The entries of a cycle, up to the peak and back."""
+    time = (PEAK - 1) / rate
+    return {"Time/End": repr(2 * time), "Time/Motion amplitude": f"0: 0, {time!r}: 1, {2 * time!r}: 0"}
+
+
+def stretch(program, folder, entries, ranks=1):
+    """Times and stresses in kPa of a run of the strip, and its largest count of a kind."""
+    curve = program.run("relaxation", folder / "run", *settings(entries), ranks=ranks).curve(
+        "time_s", "reaction_f1_N")
+    in_time = np.concatenate([[False], np.diff(curve["time_s"]) > 0])
+    return curve["time_s"][in_time], 1e3 * curve["reaction_f1_N"][in_time]
+
+
+def check_cycle(program, folder, rate, formulation, degree, ranks):
+    """Every state of a cycle at the default tolerance, and the work that is lost in it."""
+    times, stresses = stretch(program, folder, {**triangle(rate), **element(formulation, degree)}, ranks)
+    test = tension(rate)
+    peak = test.stress(test.times[1])
+    worst = max(abs(s - test.stress(t)) for t, s in zip(times, stresses)) / peak
+    top = stresses[np.argmin(abs(times - test.times[1]))]
+    print(f"{formulation}, degree {degree}, {ranks} rank(s), {rate} /s: {len(times)} steps, peak {top:.3f} kPa "
+          f"(exact {peak:.3f}), largest error {worst:.1e} of it")
+    validated("relaxation", f"stress in a cycle at {rate} /s, {formulation}, degree {degree}",
+              "exact, homogeneous", worst)
+    require(worst < 2e-3, f"a stress is off by {worst}")
+
+
+def check_order(program, folder, scheme, order):
+    """The stress at the peak, by steps of one length."""
+    test, rate = tension(0.05), 0.05
+    errors = []
+    for n in (40, 80, 160):
+        time = (PEAK - 1) / rate
+        times, stresses = stretch(program, folder, {
+            "Time/End": repr(time), "Time/Motion amplitude": f"0: 0, {time!r}: 1", "Time/Scheme": scheme,
+            "Time/Initial step": repr(time / n), "Time/Strain tolerance": "0"})
+        require(len(times) == n, f"{len(times)} steps, not {n}")
+        errors.append(abs(stresses[-1] / test.stress(times[-1]) - 1))
+    orders = [math.log2(a / b) for a, b in zip(errors, errors[1:])]
+    print(f"{scheme}: errors {' '.join(f'{error:.2e}' for error in errors)}, orders "
+          f"{' '.join(f'{one:.2f}' for one in orders)}")
+    require(abs(orders[-1] - order) < 0.2, f"not of order {order}")
+
+
+def check_relaxation(program, folder):
+    """A strip stretched at once relaxes over five decades of time, in few steps."""
+    end = 1e3
+    times, stresses = stretch(program, folder, {
+        "Stepping/Static states": "instantaneous", "Time/Motion amplitude": "1", "Time/End": repr(end),
+        "Time/Initial step": "0.01"})
+    known = exact.relaxation(exact.vhb(5.85, K=K), PEAK, times)
+    worst = max(abs(stresses / known - 1))
+    print(f"relaxation to {end} s in {len(times)} steps, the first after {times[0]:.4f} s: {stresses[0]:.2f} to "
+          f"{stresses[-1]:.2f} kPa, largest relative error {worst:.1e}")
+    validated("relaxation", "stress over five decades", "exact, homogeneous", worst)
+    require(len(times) < 60, "too many steps")
+    require(worst < 1e-3, f"a stress is off by {worst}")
+
+
+def pull_in(program, folder, scene, entries):
+    """Time, voltage in kV and lambda_3 of the last state of a run that is to pull in, and the sentence."""
+    case = program.run(scene, folder / "run", *settings(entries))
+    curve = case.curve("time_s", "voltage_kV", "lambda_3", "event")
+    require(curve["event"][-1] == "pull-in", "no pull-in")
+    reason = json.loads((folder / "run" / "run.json").read_text())["reason"]
+    return curve["time_s"][-1], curve["voltage_kV"][-1], curve["lambda_3"][-1], reason
+
+
+def check_rate(program, folder, rate, formulation, degree):
+    """Pull-in of the free film under a voltage that rises at `rate` sqrt(G/eps) H per second."""
+    time, _, thickness, reason = pull_in(program, folder, "pull_in_rate", {
+        "Time/Voltage amplitude": f"{rate}*t", "Time/End": repr(2 / rate), **element(formulation, degree)})
+    path = exact.ramped(exact.vhb(K=K), rate * math.sqrt(exact.G_VHB))
+    error = time / path.t - 1
+    print(f"{formulation}, degree {degree}, ramp {rate} /s: {reason}; phi* {rate * time:.5f} (exact "
+          f"{path.field / math.sqrt(exact.G_VHB):.5f}), lambda_3 {thickness:.4f} ({path.thickness:.4f})")
+    validated("pull_in_rate", f"field at pull-in, ramp {rate} /s, {formulation}, degree {degree}",
+              "exact, homogeneous", error)
+    require(abs(error) < 2e-3, f"the pull-in is off by {error}")
+
+
+def check_delay(program, folder, field):
+    """Pull-in of a film under a field in units of that of its equilibrium."""
+    time, *_, reason = pull_in(program, folder, "delayed_pull_in", {
+        "Loading/Target": repr(field * exact.UNIT_FIELD), "Time/End": "50"})
+    known = exact.held(exact.unit_film(K=1e3), field * exact.UNIT_FIELD, 100).t
+    print(f"e = {field}: {reason} (exact {known:.5f}, error {time / known - 1:.1e})")
+    validated("delayed_pull_in", f"delay at {field} e_c", "exact, homogeneous", time / known - 1)
+    require(abs(time / known - 1) < 2e-3, f"the delay is off by {time / known - 1}")
+
+
+def check_never(program, folder):
+    """Below the pull-in of its equilibrium the film comes to rest."""
+    curve = program.run("delayed_pull_in", folder / "run", *settings({
+        "Loading/Target": repr(0.99 * exact.UNIT_FIELD), "Loading/Expected end": "target",
+        "Time/End": "1000"})).curve("time_s")
+    require(curve["time_s"][-1] == 1000, "the film did not reach the end")
+
+
+def check_limits(program, folder):
+    """Static pull-in with relaxed branches, and with branches that had no time."""
+    for states, film in (("relaxed", exact.equilibrium_limit), ("instantaneous", exact.instantaneous_limit)):
+        case = program.run("delayed_pull_in", folder / states, *settings({
+            "Stepping/Static states": states, "Loading/Target": "1.5", "Time/Analysis": "automatic"}))
+        low, high = case.pull_in()
+        known = film(exact.unit_film(K=1e3)).field
+        print(f"{states}: pull-in between e = {low:.6f} and {high:.6f} (exact {known:.6f})")
+        require(low - 1e-6 < known < high + 1e-6, f"the pull-in at {known} is outside")
+
+
+def main():
+    program, all_ranks = program_and_ranks(__doc__)
+    cycles = [(check_cycle, 0.03, *one, 1) for one in ELEMENTS]
+    cycles += [(check_cycle, rate, "mean dilatation", 1, ranks)
+               for rate in (0.01, 0.05) for ranks in all_ranks]
+    ramps = [(check_rate, rate, *ELEMENTS[1]) for rate in (0.1, 1)]
+    ramps += [(check_rate, 1, *one) for one in (ELEMENTS[0], ELEMENTS[2], ELEMENTS[3])]
+    side_by_side(program, *cycles, (check_order, "backward Euler", 1), (check_order, "BDF2", 2),
+                 (check_relaxation,), *ramps, *((check_delay, e) for e in (1.02, 1.1, 1.3, 1.4)),
+                 (check_never,), (check_limits,))
+
+
+if __name__ == "__main__":
+    main()
