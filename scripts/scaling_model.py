@@ -18,7 +18,7 @@ EXCHANGES, OF_SINGLES = 4 + 3, 2 * EXCHANGES_PER_CYCLE
 UNKNOWNS_PER_NODE = 3.5  # potential in half of the body
 
 
-def halo(unknowns, ranks):
+def ghost_share(unknowns, ranks):
     """Nodes that a rank needs of others, over its own: of a cube's six faces each is shared by two
     ranks, and one of them owns it; in a slender body cut across it is one face of the section."""
     if ranks == 1:
@@ -35,7 +35,7 @@ def seconds(unknowns, ranks, work, iterations):
     own = unknowns / ranks
     if ranks == 1:
         return work * own, 0.0, 0.0, 0.0
-    wait, byte = NEIGHBOURS * LATENCY, halo(unknowns, ranks) * own / BANDWIDTH
+    wait, byte = NEIGHBOURS * LATENCY, ghost_share(unknowns, ranks) * own / BANDWIDTH
     halos = EXCHANGES * (wait + 8 * byte) + OF_SINGLES * (wait + 4 * byte)
     reductions = (iterations / 2 + 1) * log2(ranks) * LATENCY
     return work * own, halos, reductions, 2 * COARSEST
@@ -43,13 +43,13 @@ def seconds(unknowns, ranks, work, iterations):
 
 def table(unknowns, work, iterations):
     """Lines of the document."""
-    lines = ["| ranks | unknowns of a rank | halo | work ms | halos ms | reductions ms | "
+    lines = ["| ranks | unknowns of a rank | ghosts | work ms | ghosts ms | reductions ms | "
              "coarsest level ms | iteration ms | efficiency |", "|" + "---|" * 9]
     alone = sum(seconds(unknowns, 1, work, iterations))
     for ranks in (1, 2, 8, 32, 128):
         parts = seconds(unknowns, ranks, work, iterations)
         lines.append(
-            f"| {ranks} | {unknowns / ranks:.0f} | {halo(unknowns, ranks):.3f} | "
+            f"| {ranks} | {unknowns / ranks:.0f} | {ghost_share(unknowns, ranks):.3f} | "
             + " | ".join(f"{1e3 * part:.2f}" for part in parts)
             + f" | {1e3 * sum(parts):.1f} | {alone / ranks / sum(parts):.2f} |")
     return lines

@@ -203,7 +203,7 @@ bool Loads<dim>::has_amplitudes() const
 }
 
 template <int dim>
-std::map<std::string, std::string> Loads<dim>::idle_amplitudes() const
+std::map<std::string, std::string> Loads<dim>::unused_amplitudes() const
 {
   std::map<std::string, std::string> idle;
   for (const GivenAmplitude& given : amplitudes) {

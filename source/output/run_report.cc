@@ -41,7 +41,7 @@ void write_run_report(const Outcome& outcome, const std::string& scene, const st
   report["final_values"] = values;
   report["ranks"] = outcome.ranks;
   report["largest_share_over_mean"] = outcome.imbalance;
-  report["halo"] = outcome.halo;
+  report["ghost_share"] = outcome.ghost_share;
   report["versions"] = {{"thelma", version},
                         {"build", build_type},
                         {"deal.II", DEAL_II_PACKAGE_VERSION},

@@ -56,7 +56,7 @@ void Simulation<dim>::setup(const std::string& picture_folder)
   tell(unused_entries(prm, model, strategies.follow_path()));
   outcome.cells = model.mesh.n_cells();
   outcome.imbalance = imbalance(model.layout, model.system.linear.matrix());
-  outcome.halo = ghost_share(model.layout);
+  outcome.ghost_share = ghost_share(model.layout);
   for (const Field field : model.layout.fields())
     outcome.unknowns[field_name(field)] = model.layout.n_dofs(field);
 }

@@ -45,7 +45,7 @@ std::vector<std::string> unused_entries(const dealii::ParameterHandler& prm,
        "no temperature field is transient"},
       {in_time && !remembers, "Time", {"Strain tolerance"}, "no material has branches"}};
   if (in_time)
-    for (const auto& [entry, reason] : model.loads.idle_amplitudes())
+    for (const auto& [entry, reason] : model.loads.unused_amplitudes())
       all.push_back({true, "Time", {entry}, reason});
   const std::vector<Unused> others{
       {!is_electric,

@@ -70,7 +70,7 @@ public:
 
   /// Whether the scene gives an amplitude, and those that multiply nothing, each with the reason.
   bool has_amplitudes() const;
-  std::map<std::string, std::string> idle_amplitudes() const;
+  std::map<std::string, std::string> unused_amplitudes() const;
 
   /// Times in s that steps must meet, and between which the amplitudes are nearly straight.
   const AmplitudeTimes& amplitude_times() const { return times; }

@@ -41,7 +41,7 @@ struct Outcome {
   std::map<std::string, unsigned long long> unknowns;
   unsigned long long cells = 0;
   std::map<std::string, double> imbalance; ///< largest share of a rank over the mean
-  double halo = 0.; ///< most unknowns a rank needs of others, over the mean of its own
+  double ghost_share = 0.; ///< most unknowns a rank needs of others, over the mean of its own
   std::vector<std::string> modelled;
   std::vector<std::pair<std::string, double>> final_values; ///< newest row of the curve
 
