@@ -3,7 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 namespace thelma
 {
@@ -58,19 +58,42 @@ CellMemory CellLoop<dim>::memory(const std::size_t cell) const
 {
   CellMemory memory;
   memory.n = n_remembered;
-  memory.rate = state.rate_without_time;
+  memory.flows = state.rates || state.holds_without_time;
   const auto& path = state.path();
   if (!state.rates || path.empty())
     return memory;
   const std::size_t begin = cell * n_remembered * element->law_points().size();
   memory.old = path.back().history.data() + begin;
-  memory.rate =
-      state.has_no_step() ? std::numeric_limits<double>::infinity() : state.rates->weights[0];
-  if (state.rates->n_past == 2) {
+  memory.times = {state.time - path.back().load, 0., state.rates->order};
+  if (path.size() > 1) {
     memory.older = path[path.size() - 2].history.data() + begin;
-    memory.q = state.rates->weights[2] / state.rates->weights[0];
+    memory.times.dt_before = path.back().load - path[path.size() - 2].load;
   }
   return memory;
+}
+
+template <int dim>
+double CellLoop<dim>::memory_error() const
+{
+  const std::vector<double> now = state.history();
+  const std::size_t n_points = element->law_points().size();
+  std::vector<double> own(2, 0.), sums(2); // squares, points
+  for (std::size_t cell = 0; cell < layout.cells().size(); ++cell) {
+    const Material& material = *layout.cells()[cell].material;
+    if (material.n_history() == 0)
+      continue;
+    const CellMemory of_cell = memory(cell);
+    for (std::size_t q = 0; q < n_points; ++q) {
+      const std::size_t first = q * n_remembered;
+      own[0] += std::pow(material.step_error(of_cell.times, of_cell.old + first,
+                                             of_cell.older ? of_cell.older + first : nullptr,
+                                             now.data() + cell * n_points * n_remembered + first),
+                         2);
+    }
+    own[1] += n_points;
+  }
+  dealii::Utilities::MPI::sum(own, layout.communicator(), sums);
+  return std::sqrt(sums[0] / std::max(sums[1], 1.));
 }
 
 template <int dim>

@@ -10,6 +10,7 @@ Rates backward_differences(const double time, const std::vector<double>& times,
 {
   const std::size_t n = times.size();
   Rates rates;
+  rates.order = order;
   rates.n_past = std::min<std::size_t>(order, n);
   const double h = time - times[n - 1];
   if (rates.n_past == 1) {

@@ -1,5 +1,6 @@
 #include <thelma/materials/branches.h>
 
+#include <cmath>
 #include <utility>
 
 namespace thelma
@@ -38,7 +39,14 @@ Branches::Branches(const std::vector<std::string>& laws)
   for (const std::string& name : laws)
     append(name, list);
   for (const Branch& branch : list)
-    n += std::visit([](const auto& law) { return law.n_history; }, branch);
+    std::visit(
+        [&](const auto& law) {
+          n_remembered += law.n_history;
+          n_of_step += law.n_step;
+        },
+        branch);
+  if (!list.empty())
+    n_remembered += StrainHistory::n;
 }
 
 void Branches::declare(dealii::ParameterHandler& prm)
@@ -68,28 +76,63 @@ std::string Branches::defect(const double theta) const
   return "";
 }
 
-void Branches::begin_step(const double* old, const double* older, const double q,
-                          double* start) const
+void Branches::begin_step(const StepTimes& times, const double* old, const double* older,
+                          double* step) const
 {
+  const double* of_branch = old ? old + StrainHistory::n : nullptr;
   for (const Branch& branch : list)
     std::visit(
         [&](const auto& law) {
-          law.begin_step(old, older, q, start);
-          old += law.n_history;
-          older += law.n_history;
-          start += law.n_history;
+          if (old && times.dt > 0.)
+            law.begin_step(StrainHistory(times, old, older), of_branch, step);
+          else
+            law.stand_still(of_branch, step);
+          step += law.n_step;
+          if (of_branch)
+            of_branch += law.n_history;
         },
         branch);
 }
 
-void Branches::update_history(const Tensor3<2>& F, const double theta,
-                              const PointHistory<>& history, double* now) const
+void Branches::update_history(const Tensor3<2>& F, const double theta, const double* step,
+                              double* now) const
 {
+  if (list.empty())
+    return;
   const IsochoricStrain<double> strain(F, Kinematics<>(F).J);
-  for_each(history, [&](const auto& law, const PointHistory<>& own) {
-    law.update_history(strain, theta, own, now);
-    now += law.n_history;
-  });
+  put_symmetric(strain.C, now);
+  now[n_symmetric] = theta;
+  now += StrainHistory::n;
+  for (const Branch& branch : list)
+    std::visit(
+        [&](const auto& law) {
+          law.update_history(strain, step, now);
+          now += law.n_history;
+          if (step)
+            step += law.n_step;
+        },
+        branch);
+}
+
+double Branches::step_error(const StepTimes& times, const double* old, const double* older,
+                            const double* now) const
+{
+  if (list.empty())
+    return 0.;
+  StrainHistory strain(times, old, older);
+  strain.arrive(now);
+  old += StrainHistory::n;
+  now += StrainHistory::n;
+  double square = 0.;
+  for (const Branch& branch : list)
+    std::visit(
+        [&](const auto& law) {
+          square += std::pow(law.error(strain, old, now), 2);
+          old += law.n_history;
+          now += law.n_history;
+        },
+        branch);
+  return std::sqrt(square);
 }
 
 } // namespace thelma

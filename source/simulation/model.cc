@@ -4,7 +4,6 @@
 #include <thelma/simulation/model.h>
 
 #include <cmath>
-#include <limits>
 
 namespace thelma
 {
@@ -84,8 +83,7 @@ void Model<dim>::setup()
 {
   state.theta = theta;
   state.theta_start = materials.reference_temperature();
-  if (static_states == StaticStates::instantaneous)
-    state.rate_without_time = std::numeric_limits<double>::infinity();
+  state.holds_without_time = static_states == StaticStates::instantaneous;
   state.x = layout.new_vector();
   if (layout.has(Field::temperature))
     state.x.block(layout.block(Field::temperature)) = state.theta_start;

@@ -170,7 +170,7 @@ NewtonReport TimeSteps<dim>::solve(const bool is_last_part, const bool extrapola
     if (!warmed.converged)
       return warmed;
     if (is_last_part)
-      include(TimeError<dim>(layout, conditions, state, stepper.order(), longer).of_temperature(),
+      include(temperature_error(layout, conditions, state, stepper.order(), longer),
               &TimeStepper::of_temperature);
     if (is_last_part && !stepper.tolerates(step_error))
       return warmed;
@@ -181,9 +181,7 @@ NewtonReport TimeSteps<dim>::solve(const bool is_last_part, const bool extrapola
     report.add(warmed);
   }
   if (report.converged && is_last_part && has_memory)
-    include(TimeError<dim>(layout, conditions, state, stepper.order(), longer)
-                .of_memory(deformation.cells.n_history()),
-            &TimeStepper::of_memory);
+    include(StepError{deformation.cells.memory_error(), stepper.order()}, &TimeStepper::of_memory);
   return report;
 }
 
@@ -234,7 +232,7 @@ void TimeSteps<dim>::cut_back(const StepReport& step)
   if (step.newton.converged) {
     stepper.accept(step_error);
     if (state.path().size() == 1)
-      longer = {state.time, state.x, {}, state.history()};
+      longer = {state.time, state.x, {}};
     restore();
   } else {
     restore();

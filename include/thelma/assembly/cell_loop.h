@@ -42,10 +42,12 @@ public:
   template <typename Visitor>
   void for_each(const Visitor& visit) const;
 
-  /// How many numbers a point remembers, by the law with most of the scene; what the laws of an own
-  /// cell remember.
-  unsigned int n_history() const { return n_remembered; }
+  /// What the laws of an own cell remember.
   CellMemory memory(std::size_t cell) const;
+
+  /// What the step to the iterate has done wrong to internal variables, which are strains: root
+  /// mean square over the points that have some.
+  double memory_error() const;
 
   /// What the own cells store in mJ, in plane strain per mm.
   Energies energies() const;
@@ -57,7 +59,7 @@ private:
   State& state;
   Solved fields = Solved::all;
   std::unique_ptr<Formulation<dim>> element;
-  unsigned int n_remembered = 0;
+  unsigned int n_remembered = 0; ///< numbers at a point, by the law with most of the scene
   bool pressures_are_kept = false;
   std::vector<double> stabilisations;
 };

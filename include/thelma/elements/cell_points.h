@@ -75,7 +75,7 @@ struct CellPoints {
     }
     for (unsigned int q = n_points; q % Lanes::n != 0; ++q) // lanes that belong to no point
       set_lane(input[q / Lanes::n], q % Lanes::n, point_input(view, x, gradients[n_points - 1]));
-    if (view.memory.rate > 0. && view.cell.material->n_history() > 0)
+    if (view.memory.flows && view.cell.material->n_history() > 0)
       set_histories(*view.cell.material, view.memory);
     for (unsigned int k = 0; k < n_batches(); ++k)
       kinematics[k] = Kinematics<Lanes>(input[k].state.F);
@@ -100,8 +100,8 @@ struct CellPoints {
       point.grad_theta[i] = all.grad_theta[i][lane];
     }
     point.state.theta = all.state.theta[lane];
-    if (!histories.empty())
-      point.state.history = histories[q];
+    if (!steps.empty())
+      point.state.history = {steps.data() + q * (steps.size() / n_points)};
     return point;
   }
   PointState<> state(const unsigned int q) const { return at(q).state; }
@@ -122,29 +122,27 @@ struct CellPoints {
   double min_det_F = std::numeric_limits<double>::max();
 
 private:
-  /// What each point remembers, alone and in its lane.
+  /// The step of each point, alone and in its lane.
   void set_histories(const Material& material, const CellMemory& memory)
   {
-    const unsigned int n = material.n_history();
-    starts.resize(std::size_t(n_points) * n);
+    const unsigned int n = material.n_step();
+    steps.resize(std::size_t(n_points) * n);
     for (unsigned int q = 0; q < n_points; ++q)
-      histories.push_back(memory.at(q, material, starts.data() + std::size_t(q) * n));
-    if (memory.old)
-      old.resize(std::size_t(n_batches()) * n);
+      memory.at(q, material, steps.data() + std::size_t(q) * n);
+    steps_in_lanes.resize(std::size_t(n_batches()) * n);
     for (unsigned int k = 0; k < n_batches(); ++k) {
-      Lanes* values = memory.old ? old.data() + std::size_t(k) * n : nullptr;
-      for (unsigned int lane = 0; memory.old && lane < Lanes::n; ++lane) {
-        const double* own = histories[std::min(k * Lanes::n + lane, n_points - 1)].old;
+      Lanes* values = steps_in_lanes.data() + std::size_t(k) * n;
+      for (unsigned int lane = 0; lane < Lanes::n; ++lane) {
+        const unsigned int q = std::min(k * Lanes::n + lane, n_points - 1);
         for (unsigned int i = 0; i < n; ++i)
-          values[i].set(lane, own[i]);
+          values[i].set(lane, steps[std::size_t(q) * n + i]);
       }
-      input[k].state.history = {values, memory.rate};
+      input[k].state.history = {values};
     }
   }
 
-  std::vector<PointHistory<>> histories; ///< empty where nothing remembers
-  std::vector<double> starts;
-  std::vector<Lanes> old; ///< of each batch of points
+  std::vector<double> steps; ///< of each point; empty where nothing flows
+  std::vector<Lanes> steps_in_lanes;
 };
 
 /// What the law of a cell remembers after a step to @p view.

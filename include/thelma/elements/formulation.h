@@ -22,23 +22,23 @@ struct CellHistory {
   std::array<const double*, 2> x, internal;
 };
 
-/// The internal variables at the points of a cell, one point after the other, in the last accepted
-/// states, and how their rate follows: PointHistory.
+/// What the points of a cell remember of the last accepted states, one after the other, and the
+/// step from there.
 struct CellMemory {
-  const double* old = nullptr;   ///< none: at rest
-  const double* older = nullptr; ///< none: differences of first order
+  bool flows = false;            ///< otherwise all has relaxed
+  const double* old = nullptr;   ///< none: the body at rest
+  const double* older = nullptr; ///< none: this is the first step
   unsigned int n = 0;            ///< numbers for each point
-  double rate = 0.;              ///< 1/s
-  double q = 0.;                 ///< weight of old - older
+  StepTimes times = {};
 
-  /// Of point @p q; @p start has room for its numbers.
-  PointHistory<> at(const unsigned int point, const Material& material, double* start) const
+  /// Of a @p point, into @p step, which has room for the numbers of its step.
+  PointHistory<> at(const unsigned int point, const Material& material, double* step) const
   {
+    if (!flows || material.n_history() == 0)
+      return {};
     const std::size_t first = std::size_t(point) * n;
-    if (!older)
-      return {old ? old + first : nullptr, rate};
-    material.begin_step(old + first, older + first, q, start);
-    return {start, rate};
+    material.begin_step(times, old ? old + first : nullptr, older ? older + first : nullptr, step);
+    return {step};
   }
 };
 

@@ -17,6 +17,7 @@ enum class StructuralHeat { none, power, entropy };
 struct Rates {
   std::array<double, 3> weights{};
   std::size_t n_past = 1;
+  unsigned int order = 1; ///< of the scheme; its first step may be of the first
   StructuralHeat heat = StructuralHeat::none;
 
   /// Rate of a value now and @p past, newest first. Differences keep what is small beside the
@@ -33,7 +34,7 @@ struct Rates {
   template <class Archive>
   void serialize(Archive& archive, unsigned int)
   {
-    archive& weights& n_past& heat;
+    archive& weights& n_past& order& heat;
   }
 };
 

@@ -43,9 +43,6 @@ public:
   /// What laws remember after a step to the iterate; empty where none does.
   std::vector<double> history() const { return remember ? remember() : std::vector<double>(); }
 
-  /// Whether the iterate belongs to the time of the last accepted state.
-  bool has_no_step() const { return !past.empty() && time == past.back().load; }
-
   /// Begin a path at @p load with the iterate as its accepted start.
   void start(double load = 0.);
 
@@ -109,9 +106,9 @@ public:
   /// How rates follow from the iterate and the accepted states; none in a steady state.
   std::optional<Rates> rates;
 
-  /// Rate of internal variables where there are no rates (PointHistory): 0, they have relaxed, or
-  /// infinity, they are those of the body at rest.
-  double rate_without_time = 0.;
+  /// Whether internal variables remain those of the body at rest where there are no rates;
+  /// otherwise they have relaxed.
+  bool holds_without_time = false;
 
 private:
   /// The iterate, once it is accepted.

@@ -28,7 +28,10 @@ public:
   /// Declare each branch in a subsection `Branch 1`, ... of the section @p prm stands in.
   void declare(dealii::ParameterHandler& prm);
 
-  unsigned int n_history() const { return n; }
+  /// How many numbers a point remembers: C_iso and theta, then those of every branch; and how many
+  /// describe a step.
+  unsigned int n_history() const { return n_remembered; }
+  unsigned int n_step() const { return n_of_step; }
 
   /// Instantaneous less equilibrium shear modulus in MPa.
   double modulus(double theta) const;
@@ -36,13 +39,18 @@ public:
   /// The entry, such as `Branch 1/Modulus`, that does not allow @p theta; empty if all is well.
   std::string defect(double theta) const;
 
-  /// PointHistory::old, of all branches, for differences of second order with the weight @p q of
-  /// old - older.
-  void begin_step(const double* old, const double* older, double q, double* start) const;
+  /// The step from the last accepted states, @p old (null: the body at rest, without time to flow)
+  /// and @p older (null: there is none).
+  void begin_step(const StepTimes& times, const double* old, const double* older,
+                  double* step) const;
 
-  /// The values at the end of a step.
-  void update_history(const Tensor3<2>& F, double theta, const PointHistory<>& history,
-                      double* now) const;
+  /// The numbers at the end of the step.
+  void update_history(const Tensor3<2>& F, double theta, const double* step, double* now) const;
+
+  /// What the step has done wrong to the internal variables, which are @p now: norm over the
+  /// branches.
+  double step_error(const StepTimes& times, const double* old, const double* older,
+                    const double* now) const;
 
   /// The sum of their incremental potentials, but for a constant.
   template <typename Number>
@@ -50,10 +58,10 @@ public:
            const PointHistory<Given<Number>>& history) const
   {
     Number sum = 0.;
-    if (acts(history)) {
+    if (n_of_step > 0 && !history.is_relaxed()) {
       const IsochoricStrain<Number> strain(F, J);
-      for_each(history,
-               [&](const auto& branch, const auto& own) { sum += branch.W(strain, theta, own); });
+      for_each(history.step,
+               [&](const auto& branch, const auto* step) { sum += branch.W(strain, theta, step); });
     }
     return sum;
   }
@@ -63,11 +71,11 @@ public:
   void add_first(const Tensor3<2, Number>& F, const Kinematics<Number>& kin, const Number& theta,
                  const PointHistory<Given<Number>>& history, ElasticDerivatives<Number>& d) const
   {
-    if (!acts(history))
+    if (n_of_step == 0 || history.is_relaxed())
       return;
     const IsochoricStrain<Number> strain(F, kin.J);
-    for_each(history, [&](const auto& branch, const auto& own) {
-      branch.add_first(F, kin, strain, theta, own, d);
+    for_each(history.step, [&](const auto& branch, const auto* step) {
+      branch.add_first(F, kin, strain, theta, step, d);
     });
   }
 
@@ -75,37 +83,30 @@ public:
   void add_second(const Tensor3<2, Number>& F, const Kinematics<Number>& kin, const Number& theta,
                   const PointHistory<Given<Number>>& history, Tensor3<4, Number>& W_FF) const
   {
-    if (!acts(history))
+    if (n_of_step == 0 || history.is_relaxed())
       return;
     const IsochoricStrain<Number> strain(F, kin.J);
-    for_each(history, [&](const auto& branch, const auto& own) {
-      branch.add_second(F, kin, strain, theta, own, W_FF);
+    for_each(history.step, [&](const auto& branch, const auto* step) {
+      branch.add_second(F, kin, strain, theta, step, W_FF);
     });
   }
 
 private:
-  template <typename Value>
-  bool acts(const PointHistory<Value>& history) const
-  {
-    return n > 0 && !history.is_relaxed();
-  }
-
-  /// Call @p visit(law of a branch, its part of the history).
+  /// Call @p visit(law of a branch, its part of the numbers of a step).
   template <typename Value, typename Visitor>
-  void for_each(PointHistory<Value> history, const Visitor& visit) const
+  void for_each(const Value* step, const Visitor& visit) const
   {
     for (const Branch& branch : list)
       std::visit(
           [&](const auto& law) {
-            visit(law, history);
-            if (history.old)
-              history.old += std::decay_t<decltype(law)>::n_history;
+            visit(law, step);
+            step += std::decay_t<decltype(law)>::n_step;
           },
           branch);
   }
 
   std::vector<Branch> list;
-  unsigned int n = 0;
+  unsigned int n_remembered = 0, n_of_step = 0;
 };
 
 } // namespace thelma

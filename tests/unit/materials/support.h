@@ -151,17 +151,20 @@ public:
     return rotation() * stretch * rotation();
   }
 
-  /// A law that remembers has relaxed at another deformation 0.1 to 100 s ago.
+  /// A law that remembers has relaxed at another deformation, and flows for 0.1 to 100 s.
   PointHistory<> history(const Material& material)
   {
     if (material.n_history() == 0)
       return {};
-    memories.emplace_back(material.n_history());
+    std::vector<double> relaxed(material.n_history());
     PointState<> before;
     before.F = deformation();
     before.theta = uniform(250., 400.);
-    material.update_history(before, memories.back().data());
-    return {memories.back().data(), std::pow(10., uniform(-2., 1.))};
+    material.update_history(before, relaxed.data());
+    steps.emplace_back(material.n_step());
+    material.begin_step({std::pow(10., uniform(-1., 2.)), 0., 2}, relaxed.data(), nullptr,
+                        steps.back().data());
+    return {steps.back().data()};
   }
 
   /// 250 to 400 K and |E| up to twice the nominal field 0.687 sqrt(mu/eps) at which a free planar
@@ -180,7 +183,7 @@ public:
 
 private:
   std::mt19937 engine{20240229};
-  std::list<std::vector<double>> memories; ///< of all states, which refer to them
+  std::list<std::vector<double>> steps; ///< of all states, which refer to them
 };
 
 /// The largest relative error of each named block over many states:
