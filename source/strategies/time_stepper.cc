@@ -17,8 +17,9 @@ void TimeStepper::declare(dealii::ParameterHandler& prm)
   add_quantity(prm, "End", end, "Where a transient run ends.", Quantity("s", 1e-12));
   OptionNames<Scheme>({{"BDF2", Scheme::BDF2}, {"backward Euler", Scheme::backward_Euler}})
       .declare(prm, "Scheme", scheme,
-               "`BDF2`: backward differences of second order, begun with one step of the "
-               "first; `backward Euler`: of first order.");
+               "`BDF2`: second order: backward differences of the temperature, begun with one step "
+               "of the first, and exponential steps of viscoelastic branches; `backward Euler`: "
+               "first order.");
   add_quantity(prm, "Initial step", initial,
                "First time step to try. Half of it is compared with it, and so on until the "
                "error is within the tolerance.",

@@ -75,7 +75,7 @@ private:
     return {tolerance > 0. ? error.value / tolerance : 0., error.order};
   }
 
-  double end = 1., initial = 0.01, largest = 1e300, tolerance = 0.1, strain_tolerance = 1e-4;
+  double end = 1., initial = 0.01, largest = 1e300, tolerance = 0.1, strain_tolerance = 1e-3;
   bool is_adaptive = true;
   Scheme scheme = Scheme::BDF2;
   std::vector<double> wanted_stops;
