@@ -149,13 +149,13 @@ void MaterialLibrary::check(const double theta)
   }
 }
 
-void MaterialLibrary::check_heat(const bool in_time, const bool with_structural_heat) const
+void MaterialLibrary::check_heat(const bool in_time, const bool by_power) const
 {
   const std::string flowing = one_that_remembers();
-  if (with_structural_heat && !flowing.empty())
-    throw InputError("section Time, entry 'Structural heat': the heat that the flow of the "
-                     "viscoelastic material '" +
-                     flowing + "' makes is not modelled; choose none");
+  if (by_power && !flowing.empty())
+    throw InputError("section Time, entry 'Structural heat': `power` does not count the heat that "
+                     "the flow of the viscoelastic material '" +
+                     flowing + "' makes; choose entropy, or none");
   for (const auto& [name, entry] : materials)
     if (in_time)
       require_positive(name, "Heat capacity", entry.material->thermal.c, " in a transient scene");

@@ -122,6 +122,38 @@ def check_delay(program, folder, field):
     require(abs(time / known - 1) < 2e-3, f"the delay is off by {time / known - 1}")
 
 
+def check_adiabatic(program, folder, coupling):
+    """An insulated strip that is stretched and released warms: all its energies are entropic, so that
+    c ln(theta/theta_0) is its work at the reference temperature over theta_0, lost or stored."""
+    capacity, theta_0, rate = 1e-3, 293, 0.05  # MPa/K: a thousandth of that of rubber
+    test = tension(rate)
+    missing = []
+    for n in (60, 120, 240):
+        time = (PEAK - 1) / rate
+        curve = program.run("relaxation", folder / "run", *settings({
+            **triangle(rate), "Time/Initial step": repr(time / n), "Time/Strain tolerance": "0",
+            "Time/Tolerance": "0", "Time/Structural heat": "entropy", "Time/Coupling": coupling,
+            "Temperature/Model": "transient", "Temperature/Value": str(theta_0),
+            "Materials/VHB/Heat capacity": str(capacity),
+            "Output/Observables": "lambda_1, reaction, ledger", "Output/Fields": "none"})).curve(
+                "time_s", "theta_K", "ledger_energy_missing_mJ", "ledger_dissipated_mJ",
+                "ledger_entropy_missing_mJ_per_K")
+        in_time = np.concatenate([[False], np.diff(curve["time_s"]) > 0])
+        known = [theta_0 * math.exp(1e-3 * test.work(t) / (capacity * theta_0))
+                 for t in curve["time_s"][in_time]]
+        missing.append((max(abs(curve["theta_K"][in_time] - known)),
+                        abs(curve["ledger_energy_missing_mJ"][-1]),
+                        abs(curve["ledger_entropy_missing_mJ_per_K"][-1])))
+        warmest, dissipated = max(curve["theta_K"]), curve["ledger_dissipated_mJ"][-1]
+    orders = [math.log2(a / b) for a, b in zip(missing[-2], missing[-1])]
+    print(f"{coupling}: the strip warms to {warmest:.3f} K (exact {max(known):.3f}), dissipates {dissipated:.5f} mJ; "
+          f"errors of temperature, energy, entropy {' '.join(f'{m:.1e}' for m in missing[-1])}, orders "
+          f"{' '.join(f'{one:.2f}' for one in orders)}")
+    validated("relaxation, insulated", f"temperature in a cycle, {coupling}", "exact, homogeneous", missing[-1][0])
+    require(missing[-1][0] < 2e-3 * (warmest - theta_0), "the temperature is off")
+    require(min(orders) > 1.6, "not of second order")
+
+
 def check_never(program, folder):
     """Below the pull-in of its equilibrium the film comes to rest."""
     curve = program.run("delayed_pull_in", folder / "run", *settings({
@@ -150,7 +182,8 @@ def main():
     ramps += [(check_rate, 1, *one) for one in (ELEMENTS[0], ELEMENTS[2], ELEMENTS[3])]
     side_by_side(program, *cycles, (check_order, "backward Euler", 1), (check_order, "BDF2", 2),
                  (check_relaxation,), *ramps, *((check_delay, e) for e in (1.02, 1.1, 1.3, 1.4)),
-                 (check_never,), (check_limits,))
+                 (check_never,), (check_limits,), (check_adiabatic, "staggered"),
+                 (check_adiabatic, "monolithic"))
 
 
 if __name__ == "__main__":

@@ -2,12 +2,43 @@
 
 #include <thelma/elements/cell_points.h>
 
+#include <array>
 #include <cmath>
+#include <vector>
 
 /// Heat that deformation and field make: theta h N_a in the heat balance, with the rate of entropy
 /// h of theory.md, eqs. 26 and 29. The capacity is elsewhere (HeatStorage).
 namespace thelma
 {
+
+/// Subtract dissipation over theta from h, and let the derivatives of entropy count what flow makes
+/// of the internal variables (theory.md, eq. 42).
+inline void add_flow(const Material& material, const PointState<>& state, const Rates& rates,
+                     EntropyRate& out)
+{
+  const FlowHeat flow = material.flow_heat(state);
+  SecondDerivatives<> without{};
+  material.evaluate(state, without);
+  const double theta = state.theta;
+  out.h -= flow.dissipation / theta;
+  out.d_dF -= flow.dD_dF / theta;
+  out.d_dFdot += flow.deta_dF + without.dP_dtheta;
+  out.d_dtheta += rates.weights[0] * (flow.deta_dtheta - without.deta_dtheta) -
+                  (flow.dD_dtheta - flow.dissipation / theta) / theta;
+}
+
+/// What a point remembered in an accepted state, as the step that has come to its end there.
+inline PointHistory<> accepted_history(const Material& material, const CellMemory& memory,
+                                       const std::size_t ago, const unsigned int q,
+                                       std::vector<double>& step)
+{
+  if (!memory.flows || material.n_history() == 0)
+    return {};
+  step.resize(material.n_step());
+  material.begin_step({}, (ago == 0 ? memory.old : memory.older) + std::size_t(q) * memory.n,
+                      nullptr, step.data());
+  return {step.data()};
+}
 
 /// h at one point; @p past(k) is the state there k + 1 accepted states ago.
 template <typename EnergyTerm, typename Past>
@@ -39,6 +70,9 @@ EntropyRate entropy_rate(const EnergyTerm& term, const Material& material,
   out.d_dEdot = d.dD_dtheta;
   out.d_dtheta = rates.weights[0] *
                  (d.deta_dtheta - (EnergyTerm::conducts ? material.thermal.c / state.theta : 0.));
+  if constexpr (EnergyTerm::conducts)
+    if (!state.history.is_relaxed())
+      add_flow(material, state, rates, out);
   return out;
 }
 
@@ -57,13 +91,16 @@ void add_structural_heat(const CellPoints<dim>& points, const CellView<dim>& vie
 
   alignas(64) std::array<std::array<double, CellPoints<dim>::max * length>, dim + 2> T;
   std::array<const double*, CellPoints<dim>::max> N;
+  std::array<std::vector<double>, 2> steps;
   for (unsigned int q = 0; q < points.n_points; ++q) {
     const PointState<> state = points.state(q);
     const Gradients<dim>& gradients = points.gradients[q];
     const double w = points.geometry[q].JxW, theta = state.theta;
     std::array<PointState<>, 2> before;
-    for (std::size_t k = 0; k < rates.n_past; ++k)
+    for (std::size_t k = 0; k < rates.n_past; ++k) {
       before[k] = point_input(view, past[k], gradients).state;
+      before[k].history = accepted_history(*view.cell.material, view.memory, k, q, steps[k]);
+    }
     const EntropyRate rate = entropy_rate(
         term, *view.cell.material, state,
         [&](const std::size_t k) -> const PointState<>& { return before[k]; }, q, rates);

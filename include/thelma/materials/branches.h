@@ -91,6 +91,21 @@ public:
     });
   }
 
+  /// What they dissipate, over theta/theta_0, in MPa/s.
+  template <typename Number>
+  Number dissipation(const Tensor3<2, Number>& F, const Number& J, const Number& theta,
+                     const PointHistory<Given<Number>>& history) const
+  {
+    Number sum = 0.;
+    if (n_of_step > 0 && !history.is_relaxed()) {
+      const IsochoricStrain<Number> strain(F, J);
+      for_each(history.step, [&](const auto& branch, const auto* step) {
+        sum += branch.dissipation(F, strain, theta, step);
+      });
+    }
+    return sum;
+  }
+
 private:
   /// Call @p visit(law of a branch, its part of the numbers of a step).
   template <typename Value, typename Visitor>

@@ -91,8 +91,19 @@ public:
     const Split<double> em(*this, state, kin);
     const double theta = state.theta;
     const double entropy = thermal.coupling_entropy(theta, first_derivatives(state).eta);
-    return {theta / thermal.theta_0 * em.d.W, -dielectric.psi(state, kin),
-            thermal.coupling_psi(theta) + theta * entropy, entropy};
+    const double D = dissipation(state);
+    return {theta / thermal.theta_0 * em.d.W,
+            -dielectric.psi(state, kin),
+            thermal.coupling_psi(theta) + theta * entropy,
+            entropy,
+            D,
+            D / theta};
+  }
+
+  FlowHeat flow_heat(const PointState<>& state) const override
+  {
+    const PointState<OfStrain> varied = of_strain(state);
+    return thelma::flow_heat(first_derivatives(varied).eta, dissipation(varied));
   }
 
   void evaluate(const PointState<>& state, FirstDerivatives<>& out) const override
@@ -150,6 +161,16 @@ public:
   double permittivity(const double theta) const override { return dielectric.permittivity(theta); }
 
 private:
+  template <typename Number>
+  Number dissipation(const PointState<Number>& state) const
+  {
+    const Number s = thermal.split(state.theta), J = Kinematics<Number>(state.F).J;
+    const Tensor3<2, Number> F_EM = s * state.F;
+    const Number J_EM = J * s * s * s;
+    return state.theta / thermal.theta_0 *
+           branches.dissipation(F_EM, J_EM, state.theta, state.history);
+  }
+
   /// The electro-mechanical part of the deformation and the elastic law at it.
   template <typename Number>
   struct Split {

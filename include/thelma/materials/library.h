@@ -29,8 +29,8 @@ public:
   void check(double theta);
 
   /// The same of what conducts and, if the temperature changes @p in_time, stores heat; and whether
-  /// all heat that deformation makes is known, if it is to be counted (@p with_structural_heat).
-  void check_heat(bool in_time, bool with_structural_heat) const;
+  /// the structural heat, if it is that of the power (@p by_power), is known.
+  void check_heat(bool in_time, bool by_power) const;
 
   /// A material with internal variables; empty if there is none.
   std::string one_that_remembers() const;

@@ -129,6 +129,16 @@ public:
         }
   }
 
+  /// What flow dissipates at the end of the step, over theta/theta_0: G/(2 tau) |dev B|^2, MPa/s.
+  template <typename Number>
+  Number dissipation(const Tensor3<2, Number>& F, const IsochoricStrain<Number>& strain,
+                     const Number& theta, const Given<Number>* step) const
+  {
+    const Stress<Number> stress(Flow<Number>(strain, step), strain, F);
+    return G.value(theta) / (2. * tau.value(theta)) *
+           (contract(stress.B, stress.B) - 3. * stress.m * stress.m);
+  }
+
   /// C_v at the end of the step; at the strain itself where it has relaxed (@p step is null).
   static void update_history(const IsochoricStrain<double>& strain, const double* step, double* now)
   {

@@ -63,7 +63,7 @@ public:
 
   /// The system that tells of the reactions of a state in time.
   DiscreteSystem<dim>& system() { return is_monolithic() ? heated : deformation; }
-  bool makes_heat() const { return structural_heat != StructuralHeat::none; }
+  bool makes_heat_by_power() const { return structural_heat == StructuralHeat::power; }
   double final_time() const { return stepper.final_time(); }
 
   /// How time is treated, and which coupling is cheaper, and why.

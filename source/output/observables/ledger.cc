@@ -29,28 +29,28 @@ public:
       throw InputError(
           "section Output, entry 'Observables': the ledger is not available with a steady "
           "temperature field; leave it out, or set Temperature/Model = uniform or transient");
-    if (const std::string flowing = scene.materials.one_that_remembers(); !flowing.empty())
-      throw InputError("section Output, entry 'Observables': the ledger does not count what the "
-                       "flow of the viscoelastic material '" +
-                       flowing + "' dissipates; leave it out");
+    counts_flow = !scene.materials.one_that_remembers().empty();
     rule.emplace(scene.layout, scene.layout.degree() + 1);
     theta_0 = scene.materials.reference_temperature();
   }
 
   std::vector<std::string> columns_of_kind() const override
   {
-    return {"ledger_elastic_mJ",
-            "ledger_electric_mJ",
-            "ledger_thermal_mJ",
-            "ledger_electrode_work_mJ",
-            "ledger_load_work_mJ",
-            "ledger_support_work_mJ",
-            "ledger_heat_mJ",
-            "ledger_energy_missing_mJ",
-            "ledger_entropy_mJ_per_K",
-            "ledger_entropy_inflow_mJ_per_K",
-            "ledger_entropy_produced_mJ_per_K",
-            "ledger_entropy_missing_mJ_per_K"};
+    std::vector<std::string> columns{"ledger_elastic_mJ",
+                                     "ledger_electric_mJ",
+                                     "ledger_thermal_mJ",
+                                     "ledger_electrode_work_mJ",
+                                     "ledger_load_work_mJ",
+                                     "ledger_support_work_mJ",
+                                     "ledger_heat_mJ",
+                                     "ledger_energy_missing_mJ",
+                                     "ledger_entropy_mJ_per_K",
+                                     "ledger_entropy_inflow_mJ_per_K",
+                                     "ledger_entropy_produced_mJ_per_K",
+                                     "ledger_entropy_missing_mJ_per_K"};
+    if (counts_flow)
+      columns.emplace_back("ledger_dissipated_mJ");
+    return columns;
   }
 
   std::vector<double> evaluate(const ObservableInput<dim>& scene) override
@@ -58,7 +58,7 @@ public:
     const Stock now = stock(scene);
     if (!has_begun || (scene.layout.is_transient() && !scene.state.rates)) { // time has not begun
       has_begun = true;
-      sums = {now.numbers, now.numbers, 0., 0., 0., 0., 0., 0.};
+      sums = {now.numbers, now.numbers, 0., 0., 0., 0., 0., 0., 0.};
     } else
       add_work(scene, now);
     if (scene.state.rates && scene.layout.has(Field::temperature))
@@ -125,7 +125,7 @@ private:
   /// What has come together since the start.
   struct Sums {
     Numbers start, past;
-    double electric, loads, supports, heat, entropy, produced;
+    double electric, loads, supports, heat, entropy, produced, dissipated;
   };
 
   std::vector<double> values(const Energies& e) const
@@ -133,12 +133,16 @@ private:
     const Energies& start = sums.start.stored;
     const double change =
         e.elastic + e.electric + e.thermal - (start.elastic + start.electric + start.thermal);
-    return {e.elastic,     e.electric,
-            e.thermal,     sums.electric,
-            sums.loads,    sums.supports,
-            sums.heat,     change - sums.electric - sums.loads - sums.supports - sums.heat,
-            e.entropy,     sums.entropy,
-            sums.produced, e.entropy - start.entropy - sums.entropy - sums.produced};
+    std::vector<double> all{
+        e.elastic,     e.electric,
+        e.thermal,     sums.electric,
+        sums.loads,    sums.supports,
+        sums.heat,     change - sums.electric - sums.loads - sums.supports - sums.heat,
+        e.entropy,     sums.entropy,
+        sums.produced, e.entropy - start.entropy - sums.entropy - sums.produced};
+    if (counts_flow)
+      all.push_back(sums.dissipated);
+    return all;
   }
 
   Stock stock(const ObservableInput<dim>& scene) const
@@ -149,23 +153,24 @@ private:
       walls = scene.storage.stored_in_walls(scene.state, theta_0);
     }
     const BlockVector& reactions = scene.system.reactions();
-    std::vector<double> parts{own.elastic,   own.electric,  own.thermal,      own.entropy,
-                              walls.thermal, walls.entropy, production(scene)};
+    std::vector<double> parts{own.elastic,   own.electric,    own.thermal,
+                              own.entropy,   own.dissipation, own.production,
+                              walls.thermal, walls.entropy,   production(scene)};
     for (const Electrode& electrode : scene.conditions.electrodes())
       parts.push_back(-electrode.own_sum(reactions));
     for (std::size_t i = 0; i < scene.loads.size(); ++i)
       parts.push_back(scene.loads[i].work_per_level(reactions));
     std::vector<double> total(parts.size());
     dealii::Utilities::MPI::sum(parts, scene.layout.communicator(), total);
-    Stock now{{{total[0], total[1], total[2], total[3]},
-               {0., 0., total[4], total[5]},
+    Stock now{{{total[0], total[1], total[2], total[3], total[4], total[5]},
+               {0., 0., total[6], total[7]},
                scene.state.inflow,
                scene.state.time,
                scene.state.theta,
-               total[6]},
+               total[8] + total[5]},
               {},
               {scene.loads.levels(), {}}};
-    std::size_t k = 7;
+    std::size_t k = 9;
     for (const Electrode& electrode : scene.conditions.electrodes())
       now.electrodes.emplace_back(potential(electrode, scene.layout, scene.state.x), total[k++]);
     now.loads.work.assign(total.begin() + k, total.end());
@@ -202,22 +207,39 @@ private:
   void add_heat(const Numbers& now)
   {
     const Numbers& past = sums.past;
-    const double dt = now.time - past.time;
-    // What jumps at time 0 has no rate before the first step.
-    const double early = past.time > 0. ? 0.5 : 0., late = 1. - early;
+    const auto [dt, early, late] = trapezium(now);
     sums.heat += now.walls.thermal - past.walls.thermal +
                  dt * (early * past.inflow.heat + late * now.inflow.heat);
     sums.entropy += now.walls.entropy - past.walls.entropy +
                     dt * (early * past.inflow.entropy + late * now.inflow.entropy);
     sums.produced += dt * (early * past.production + late * now.production);
+    sums.dissipated += dt * (early * past.stored.dissipation + late * now.stored.dissipation);
   }
 
-  /// A body whose temperature is prescribed takes theta d(eta), and produces nothing.
+  struct Trapezium {
+    double dt, early, late;
+  };
+
+  /// What jumps at time 0 has no rate before the first step.
+  Trapezium trapezium(const Numbers& now) const
+  {
+    const double early = sums.past.time > 0. ? 0.5 : 0.;
+    return {now.time - sums.past.time, early, 1. - early};
+  }
+
+  /// A body whose temperature is prescribed takes theta d(eta) but for what it dissipates itself.
   void add_heat_of_bath(const Numbers& now)
   {
-    const double inflow = now.stored.entropy - sums.past.stored.entropy;
-    sums.heat += 0.5 * (sums.past.theta + now.theta) * inflow;
+    const auto [dt, early, late] = trapezium(now);
+    const double dissipated =
+        dt * (early * sums.past.stored.dissipation + late * now.stored.dissipation);
+    const double produced =
+        dt * (early * sums.past.stored.production + late * now.stored.production);
+    const double inflow = now.stored.entropy - sums.past.stored.entropy - produced;
+    sums.heat += 0.5 * (sums.past.theta + now.theta) * (inflow + produced) - dissipated;
     sums.entropy += inflow;
+    sums.produced += produced;
+    sums.dissipated += dissipated;
   }
 
   /// -Q . Grad theta / theta^2 over the own cells.
@@ -239,7 +261,7 @@ private:
 
   std::optional<Integration<dim>> rule;
   double theta_0 = 293.;
-  bool has_begun = false;
+  bool has_begun = false, counts_flow = false;
   Sums sums{};
   Electrodes electrodes;             ///< at the last row
   Levels loads;                      ///< there

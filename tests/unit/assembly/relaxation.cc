@@ -276,8 +276,8 @@ TEST(DealtOutHistory, ComesBack)
   EXPECT_EQ(again, history);
 }
 
-/// The heat of flow is not modelled, so no heat balance is promised.
-TEST(Relaxation, StructuralHeatIsRefused)
+/// The power of the paper leaves out the heat of flow.
+TEST(Relaxation, StructuralHeatByPowerIsRefused)
 {
   const Film<3> film("mean dilatation", 1);
   film.scene.materials.check_heat(true, false);

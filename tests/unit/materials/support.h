@@ -168,7 +168,7 @@ public:
   }
 
   /// 250 to 400 K and |E| up to twice the nominal field 0.687 sqrt(mu/eps) at which a free planar
-  /// film pulls in (theory.md, eq. 43).
+  /// film pulls in (theory.md, eq. 44).
   PointState<> next(const Material& material)
   {
     PointState<> state;
