@@ -283,6 +283,9 @@ std::vector<std::string> TimeSteps<dim>::summary() const
     lines.front() += ", structural heat: " + structural_heats().name(structural_heat);
     lines.push_back(coupling_advice(layout, is_monolithic()));
   }
+  if (has_memory)
+    lines.emplace_back("viscoelastic branches: a state counts as stable if it is so over its step; "
+                       "then it is stable at once, with the instantaneous stiffness, as well");
   if (const std::string sentence = stepper.steps_over(loads.amplitude_times().bends);
       !sentence.empty())
     lines.push_back(sentence);
