@@ -46,7 +46,7 @@ SCENES = {
                          "Output/Observables=temperature_range, lambda_3, ledger"],
     "memory": ["prm/heated_bending.prm", "--set", "Mesh/Parameters=L: 20, H: 1, n1: 2, n3: 8",
                "--set", "Time/Tolerance=0.5", "--set", "Time/Structural heat=none", "--set",
-               "Materials/elastomer/Elastic law=neo-Hookean with Maxwell branch", "--set",
+               "Materials/elastomer/Branches=Maxwell, Maxwell", "--set",
                "Output/Observables=tip, mid_rotation, charge, temperature_range"],
     "pressure": ["prm/balloon.prm", "--set", "Output/Fields=none", "--set",
                  "Output/Observables=tip, centre, enclosed_volume, ledger"],
