@@ -45,7 +45,7 @@ SCENES = {
                          "Time/Initial step=0.01", "--set", "Time/Scheme=BDF2", "--set",
                          "Output/Observables=temperature_range, lambda_3, ledger"],
     "memory": ["prm/heated_bending.prm", "--set", "Mesh/Parameters=L: 20, H: 1, n1: 2, n3: 8",
-               "--set", "Time/Tolerance=0.5", "--set", "Time/Structural heat=none", "--set",
+               "--set", "Time/Tolerance=0.5", "--set", "Time/Structural heat=entropy", "--set",
                "Materials/elastomer/Branches=Maxwell, Maxwell", "--set",
                "Output/Observables=tip, mid_rotation, charge, temperature_range"],
     "pressure": ["prm/balloon.prm", "--set", "Output/Fields=none", "--set",
