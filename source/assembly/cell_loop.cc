@@ -65,7 +65,7 @@ CellMemory CellLoop<dim>::memory(const std::size_t cell) const
   const std::size_t begin = cell * n_remembered * element->law_points().size();
   memory.old = path.back().history.data() + begin;
   memory.times = {state.time - path.back().load, 0., state.rates->order};
-  if (path.size() > 1) {
+  if (path.size() > 1 && !path[path.size() - 2].history.empty()) {
     memory.older = path[path.size() - 2].history.data() + begin;
     memory.times.dt_before = path.back().load - path[path.size() - 2].load;
   }

@@ -122,9 +122,10 @@ def check_delay(program, folder, field):
     require(abs(time / known - 1) < 2e-3, f"the delay is off by {time / known - 1}")
 
 
-def check_adiabatic(program, folder, coupling):
+def check_adiabatic(program, folder, coupling, tolerance):
     """An insulated strip that is stretched and released warms: all its energies are entropic, so that
-    c ln(theta/theta_0) is its work at the reference temperature over theta_0, lost or stored."""
+    c ln(theta/theta_0) is its work at the reference temperature over theta_0, lost or stored. Solved
+    for one after the other, the fields are apart by an extrapolation over a step."""
     capacity, theta_0, rate = 1e-3, 293, 0.05  # MPa/K: a thousandth of that of rubber
     test = tension(rate)
     missing = []
@@ -150,7 +151,7 @@ def check_adiabatic(program, folder, coupling):
           f"errors of temperature, energy, entropy {' '.join(f'{m:.1e}' for m in missing[-1])}, orders "
           f"{' '.join(f'{one:.2f}' for one in orders)}")
     validated("relaxation, insulated", f"temperature in a cycle, {coupling}", "exact, homogeneous", missing[-1][0])
-    require(missing[-1][0] < 2e-3 * (warmest - theta_0), "the temperature is off")
+    require(missing[-1][0] < tolerance * (warmest - theta_0), "the temperature is off")
     require(min(orders) > 1.6, "not of second order")
 
 
@@ -182,8 +183,8 @@ def main():
     ramps += [(check_rate, 1, *one) for one in (ELEMENTS[0], ELEMENTS[2], ELEMENTS[3])]
     side_by_side(program, *cycles, (check_order, "backward Euler", 1), (check_order, "BDF2", 2),
                  (check_relaxation,), *ramps, *((check_delay, e) for e in (1.02, 1.1, 1.3, 1.4)),
-                 (check_never,), (check_limits,), (check_adiabatic, "staggered"),
-                 (check_adiabatic, "monolithic"))
+                 (check_never,), (check_limits,), (check_adiabatic, "staggered", 2e-2),
+                 (check_adiabatic, "monolithic", 1e-4))
 
 
 if __name__ == "__main__":
