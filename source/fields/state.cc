@@ -40,8 +40,8 @@ void State::accept(const double load)
   if (past.size() == memory)
     past.erase(past.begin());
   past.push_back(accepted(load));
-  if (past.size() > 2) // steps begin from two
-    std::vector<double>().swap(past[past.size() - 3].history);
+  if (past.size() > n_remembering)
+    std::vector<double>().swap(past[past.size() - n_remembering - 1].history);
 }
 
 double State::estimated_limit() const

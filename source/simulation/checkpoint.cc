@@ -122,6 +122,8 @@ bool Checkpoint<dim>::restore(const std::string& content, const bool if_it_fits)
     std::vector<State::Accepted> path;
     for (std::size_t k = 0; k < n; ++k) {
       path.push_back(model.state.path().back());
+      if (k + State::n_remembering < n)
+        path[k].history.clear();
       std::vector<double> x, internal, history;
       archive >> path[k].load >> x >> internal >> history;
       if (!order.distribute(x, path[k].x) || !order.distribute(internal, path[k].internal) ||

@@ -36,6 +36,9 @@ public:
     std::vector<double> history = {}; ///< what laws remember at the points of the own cells
   };
 
+  /// So many of the newest accepted states know what laws remember: those a step needs.
+  static constexpr std::size_t n_remembering = 2;
+
   /// From now on @p update tells what laws remember after a step to the iterate. They only remember
   /// accepted states: what Newton's method tries leaves nothing behind.
   void remember_by(std::function<std::vector<double>()> update) { remember = std::move(update); }
