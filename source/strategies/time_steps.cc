@@ -96,7 +96,7 @@ StepReport TimeSteps<dim>::advance()
 {
   StepReport step;
   step.load = stepper.next();
-  state.rates = backward_differences(step.load, times_of(state), stepper.order());
+  state.rates = stepper.scheme().rates(step.load, times_of(state));
   state.rates->heat = structural_heat;
   predictor.predict(step.load, LoadSymmetry::none);
   for (unsigned int part = 1; part <= parts; ++part) {
@@ -120,12 +120,12 @@ template <int dim>
 NewtonReport TimeSteps<dim>::solve(const bool is_last_part, const bool extrapolates)
 {
   if (!has_heat()) {
-    step_error = StepError{0., stepper.order()};
+    step_error = StepError{0., stepper.scheme().order};
     return deform(extrapolates);
   }
   const NewtonReport warmed = equilibrium.solver().solve(heated);
   if (warmed.converged && is_last_part)
-    step_error = temperature_error(layout, conditions, state, stepper.order(), longer);
+    step_error = temperature_error(layout, conditions, state, stepper.scheme(), longer);
   const bool deforms = !is_monolithic() && (!is_last_part || stepper.tolerates(step_error));
   if (!warmed.converged || !deforms)
     return warmed;
@@ -241,8 +241,7 @@ void TimeSteps<dim>::restore()
 template <int dim>
 std::vector<std::string> TimeSteps<dim>::summary() const
 {
-  std::vector<std::string> lines{"time: " +
-                                 std::string(stepper.order() == 2 ? "BDF2" : "backward Euler")};
+  std::vector<std::string> lines{"time: " + stepper.scheme().name};
   if (has_heat()) {
     lines.front() += ", structural heat: " + structural_heats().name(structural_heat);
     lines.push_back(coupling_advice());
