@@ -5,6 +5,7 @@
 #include <thelma/application/time_refinement.h>
 #include <thelma/output/checkpoints.h>
 #include <thelma/output/curve.h>
+#include <thelma/strategies/time_schemes.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -38,7 +39,7 @@ struct Estimate {
 struct Entries {
   unsigned int refinements = 0, degree = 1, dimension = 3;
   double newton_tolerance = 1e-10;
-  std::string temperature, analysis, scheme = "BDF2";
+  std::string temperature, analysis, scheme = time_schemes().front().name;
 
   explicit Entries(const ParameterFile& scene)
   {
@@ -187,7 +188,7 @@ bool Estimation::refine(const std::vector<Override>& same_steps)
 /// The same of time steps.
 bool Estimation::shorten(const std::vector<double>& times)
 {
-  steps = {{given}, 0, scene.scheme == "BDF2" ? 2. : 1.};
+  steps = {{given}, 0, double(time_scheme(scene.scheme).order)};
   if (repeat(steps, "half_steps", "with steps of half the length", steps_in_parts(times, 2)))
     repeat(steps, "quarter_steps", "with steps of a quarter of the length",
            steps_in_parts(times, 4));

@@ -27,10 +27,11 @@ void Stages::declare(dealii::ParameterHandler& prm)
   using namespace dealii::Patterns;
   prm.add_parameter("Stages", texts,
                     "What happens one after the other: `voltage 1` or `charge 1` goes to this "
-                    "multiple of Target, `force 1` or `pressure 1` to this multiple of Loads/Force "
-                    "or Loads/Pressure, `move 1` takes Supports/Moved along this part of their "
-                    "way, `disconnect NAME` lets an electrode float with its charge and `connect "
-                    "NAME` drives it from its potential. Empty: `voltage 1`, or `charge 1`.",
+                    "multiple of Target, `force 1`, `pressure 1` or another load to this "
+                    "multiple of what the section Loads gives, `move 1` takes Supports/Moved along "
+                    "this part of their way, `disconnect NAME` lets an electrode float with its "
+                    "charge and `connect NAME` drives it from its potential. Empty: `voltage 1`, "
+                    "or `charge 1`.",
                     List(Anything(), 0, 100));
 }
 

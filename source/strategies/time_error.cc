@@ -40,7 +40,7 @@ double distance(const DofLayout<dim>& layout, const BoundaryConditions<dim>& con
 template <int dim>
 std::optional<StepError> temperature_error(const DofLayout<dim>& layout,
                                            const BoundaryConditions<dim>& conditions,
-                                           const State& state, const unsigned int order,
+                                           const State& state, const TimeScheme& scheme,
                                            const std::optional<State::Accepted>& longer)
 {
   const auto& path = state.path();
@@ -53,7 +53,7 @@ std::optional<StepError> temperature_error(const DofLayout<dim>& layout,
         share * distance(layout, conditions, {longer->load, &longer->x}, {{0., &path[0].x}, now}),
         1};
   }
-  const unsigned int possible = std::min<std::size_t>(order, path.size() - 1);
+  const unsigned int possible = std::min<std::size_t>(scheme.order, path.size() - 1);
   std::vector<double> times;
   std::vector<Moment> newest;
   for (std::size_t k = 0; k < path.size(); ++k) {
@@ -61,18 +61,18 @@ std::optional<StepError> temperature_error(const DofLayout<dim>& layout,
     if (k + possible + 1 >= path.size())
       newest.push_back({path[k].load, &path[k].x});
   }
-  return StepError{error_share(state.time, times, possible) *
+  return StepError{error_share(scheme, state.time, times, possible) *
                        distance(layout, conditions, now, newest),
                    possible};
 }
 
 template std::optional<StepError> temperature_error(const DofLayout<2>&,
                                                     const BoundaryConditions<2>&, const State&,
-                                                    unsigned int,
+                                                    const TimeScheme&,
                                                     const std::optional<State::Accepted>&);
 template std::optional<StepError> temperature_error(const DofLayout<3>&,
                                                     const BoundaryConditions<3>&, const State&,
-                                                    unsigned int,
+                                                    const TimeScheme&,
                                                     const std::optional<State::Accepted>&);
 
 } // namespace thelma

@@ -15,11 +15,13 @@ void TimeStepper::declare(dealii::ParameterHandler& prm)
   using namespace dealii::Patterns;
   const Section section(prm, {"Time"});
   add_quantity(prm, "End", end, "Where a transient run ends.", Quantity("s", 1e-12));
-  OptionNames<Scheme>({{"BDF2", Scheme::BDF2}, {"backward Euler", Scheme::backward_Euler}})
-      .declare(prm, "Scheme", scheme,
-               "`BDF2`: second order: backward differences of the temperature, begun with one step "
-               "of the first, and exponential steps of viscoelastic branches; `backward Euler`: "
-               "first order.");
+  std::vector<std::pair<std::string, const TimeScheme*>> schemes;
+  std::string meanings;
+  for (const TimeScheme& scheme : time_schemes()) {
+    schemes.emplace_back(scheme.name, &scheme);
+    meanings += (meanings.empty() ? "`" : "; `") + scheme.name + "`: " + scheme.meaning;
+  }
+  OptionNames<const TimeScheme*>(schemes).declare(prm, "Scheme", chosen, meanings + ".");
   add_quantity(prm, "Initial step", initial,
                "First time step to try. Half of it is compared with it, and so on until the "
                "error is within the tolerance.",
@@ -114,16 +116,6 @@ bool TimeStepper::accept(const std::optional<StepError>& error)
 void TimeStepper::cut_back()
 {
   size = (trial - time) / 4.;
-}
-
-double error_share(const double time, const std::vector<double>& times, const unsigned int order)
-{
-  const std::size_t n = times.size();
-  const double h = time - times[n - 1], H = time - times[n - 2];
-  if (order == 1)
-    return h / (h + H);
-  const double step = h * h * H * H / (h + H), extrapolation = h * H * (time - times[n - 3]);
-  return step / (step + extrapolation);
 }
 
 double first_error_share(const double time, const double longer)

@@ -140,7 +140,7 @@ StepReport TimeSteps<dim>::advance()
 {
   StepReport step;
   step.load = stepper.next();
-  state.rates = backward_differences(step.load, times_of(state), stepper.order());
+  state.rates = stepper.scheme().rates(step.load, times_of(state));
   state.rates->heat = structural_heat;
   predictor.predict(step.load, LoadSymmetry::none);
   for (unsigned int part = 1; part <= parts; ++part) {
@@ -163,14 +163,14 @@ StepReport TimeSteps<dim>::advance()
 template <int dim>
 NewtonReport TimeSteps<dim>::solve(const bool is_last_part, const bool extrapolates)
 {
-  step_error = StepError{0., stepper.order()};
+  step_error = StepError{0., stepper.scheme().order};
   NewtonReport warmed;
   if (has_heat()) {
     warmed = equilibrium.solver().solve(heated);
     if (!warmed.converged)
       return warmed;
     if (is_last_part)
-      include(temperature_error(layout, conditions, state, stepper.order(), longer),
+      include(temperature_error(layout, conditions, state, stepper.scheme(), longer),
               &TimeStepper::of_temperature);
     if (is_last_part && !stepper.tolerates(step_error))
       return warmed;
@@ -181,7 +181,8 @@ NewtonReport TimeSteps<dim>::solve(const bool is_last_part, const bool extrapola
     report.add(warmed);
   }
   if (report.converged && is_last_part && has_memory)
-    include(StepError{deformation.cells.memory_error(), stepper.order()}, &TimeStepper::of_memory);
+    include(StepError{deformation.cells.memory_error(), stepper.scheme().order},
+            &TimeStepper::of_memory);
   return report;
 }
 
@@ -277,8 +278,7 @@ void TimeSteps<dim>::restore()
 template <int dim>
 std::vector<std::string> TimeSteps<dim>::summary() const
 {
-  std::vector<std::string> lines{"time: " +
-                                 std::string(stepper.order() == 2 ? "BDF2" : "backward Euler")};
+  std::vector<std::string> lines{"time: " + stepper.scheme().name};
   if (has_heat()) {
     lines.front() += ", structural heat: " + structural_heats().name(structural_heat);
     lines.push_back(coupling_advice(layout, is_monolithic()));

@@ -9,12 +9,12 @@
 namespace thelma
 {
 
-/// What a step of backward differences of @p order to the iterate did wrong to the temperature;
-/// unknown for a first step before there is a @p longer one to compare it with (theory.md, "Time").
+/// What a step by a @p scheme to the iterate did wrong to the temperature; unknown for a first step
+/// before there is a @p longer one to compare it with (theory.md, "Time").
 template <int dim>
 std::optional<StepError> temperature_error(const DofLayout<dim>& layout,
                                            const BoundaryConditions<dim>& conditions,
-                                           const State& state, unsigned int order,
+                                           const State& state, const TimeScheme& scheme,
                                            const std::optional<State::Accepted>& longer);
 
 } // namespace thelma

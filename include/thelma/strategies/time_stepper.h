@@ -1,5 +1,7 @@
 #pragma once
 
+#include <thelma/strategies/time_schemes.h>
+
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
@@ -36,8 +38,7 @@ public:
   /// A warning about @p bends that steps pass over; empty if there are none.
   std::string steps_over(std::vector<double> bends) const;
 
-  /// Order of the differences: 1 (backward Euler) or 2.
-  unsigned int order() const { return scheme == Scheme::BDF2 ? 2 : 1; }
+  const TimeScheme& scheme() const { return *chosen; }
 
   /// Next time to try, in s.
   double next();
@@ -68,8 +69,6 @@ public:
   }
 
 private:
-  enum class Scheme { BDF2, backward_Euler };
-
   static StepError over(const double tolerance, const StepError& error)
   {
     return {tolerance > 0. ? error.value / tolerance : 0., error.order};
@@ -77,20 +76,15 @@ private:
 
   double end = 1., initial = 0.01, largest = 1e300, tolerance = 0.1, strain_tolerance = 1e-3;
   bool is_adaptive = true;
-  Scheme scheme = Scheme::BDF2;
+  const TimeScheme* chosen = &time_schemes().front();
   std::vector<double> wanted_stops;
 
   double time = 0., trial = 0., size = 0.;
   std::vector<double> stops;
 };
 
-/// Error of a step of backward differences of @p order as a part of the distance between its result
-/// and the polynomial of the same order through the accepted states, given their @p times, newest
-/// last (theory.md, eq. 30).
-double error_share(double time, const std::vector<double>& times, unsigned int order);
-
-/// The same for the first step, to @p time from 0: as a part of the distance between the result of
-/// a @p longer first step and the line through the start and the result of this one (theory.md,
+/// Error of the first step, to @p time from 0, as a part of the distance between the result of a
+/// @p longer first step and the line through the start and the result of this one (theory.md,
 /// eq. 31).
 double first_error_share(double time, double longer);
 

@@ -290,7 +290,7 @@ TEST(MaterialsHistory, RelaxesByItsEquation)
   }
   const Tensor3<2> exact = modulus * deviator(b) * Kinematics<>(F).G;
   double last = 0.;
-  for (const unsigned int n : {5u, 10u, 20u, 40u}) {
+  for (const unsigned int n : {20u, 40u, 80u}) {
     Memory memory(*material);
     memory.step(F, 0.); // the jump
     for (unsigned int k = 0; k < n; ++k)

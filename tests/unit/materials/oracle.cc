@@ -180,7 +180,8 @@ void compare_entropy_rate(const Law& law, const EntropyRate& ours, const PointSt
 TEST(MaterialsOracle, EntropyRate)
 {
   for_each_state([](const auto& material, RandomStates& states, WorstErrors& errors) {
-    const PointState<> state = states.next(material);
+    PointState<> state = states.next(material);
+    state.history = {}; // what flows is counted otherwise (FlowHeat)
     const Scales scale(material, state.theta);
     const PointRates rates{states.deformation(), states.next(material).E};
     EntropyRate part;
