@@ -1,16 +1,18 @@
 """The bending actuator that creeps under a voltage: every state against the exact circle, the first and the
-last against equilibria, meshes, tolerances and temperatures against each other.
+last against equilibria, temperatures against each other. A film that pulls in at several temperatures.
 
     creeping.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
 """
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
 from scene import program_and_ranks, require, settings, side_by_side, validated
 import bending_exact
 import creeping_exact
+import viscoelastic_exact
 
 SCENE = "creeping_bending_actuator"
 TEMPERATURES = (273.0, 293.0, 313.0, 333.0, 353.0)
@@ -121,6 +123,22 @@ def check_superposition(program, folder):
     require(error < 1e-6, "temperature does more than to shift")
 
 
+def check_film(program, folder, rate, theta):
+    """Pull-in of a case of prm/studies/pull_in_rate.study."""
+    shifts = {f"Materials/VHB/Branch {i}/Shift": "Arrhenius" for i in (1, 2, 3)}
+    case = program.run("pull_in_rate", folder / "run", *settings({
+        **shifts, "Time/Voltage amplitude": f"{rate}*t", "Time/End": "200", "Temperature/Value": repr(theta)}))
+    time = case.curve("time_s")["time_s"][-1]
+    vhb = viscoelastic_exact.vhb(K=viscoelastic_exact.STIFF)
+    film = replace(vhb, theta=theta, branches=tuple(
+        replace(branch, tau=viscoelastic_exact.arrhenius(branch.tau, 50e3, 293.0)) for branch in vhb.branches))
+    known = viscoelastic_exact.ramped(film, rate * math.sqrt(viscoelastic_exact.G_VHB), method="LSODA").t
+    error = time / known - 1
+    print(f"film, {rate} /s, {theta} K: pull-in after {time:.6f} s (exact {known:.6f}), error {error:.1e}")
+    validated("pull_in_rate", f"field at pull-in, ramp {rate} /s, {theta} K, Arrhenius", "exact, homogeneous", error)
+    require(abs(error) < 5e-4, f"the pull-in is off by {error}")
+
+
 def main():
     program, all_ranks = program_and_ranks(__doc__)
     enhanced = {"Discretisation/Degree": "1", "Discretisation/Formulation": "enhanced strain",
@@ -129,7 +147,8 @@ def main():
                  *((check_history, theta, 1) for theta in TEMPERATURES),
                  *((check_history, 293.0, ranks) for ranks in all_ranks if ranks > 1),
                  (check_history, 293.0, 1, "enhanced strain, 4 x 80 cells", enhanced),
-                 *((check_limits, theta) for theta in (273.0, 293.0, 353.0)), (check_superposition,))
+                 *((check_limits, theta) for theta in (273.0, 293.0, 353.0)), (check_superposition,),
+                 *((check_film, rate, theta) for rate in (0.01, 1) for theta in (273.0, 353.0)))
 
 
 if __name__ == "__main__":
