@@ -11,7 +11,9 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
 import bending_exact  # noqa: E402
+import creeping_exact  # noqa: E402
 from planar_exact import Material  # noqa: E402
+from viscoelastic_exact import Branch  # noqa: E402
 
 
 def reference():
@@ -36,8 +38,14 @@ class Bending(unittest.TestCase):
                 self.assertAlmostEqual(state.stretch / state.curvature / radius, 1, delta=2e-6)
 
     def test_gradient(self):
-        """Gradient and Hessian of Pi belong together."""
-        bilayer = bending_exact.Bilayer(Material(alpha=1.8e-4), 353.0)
+        """Gradient and Hessian of Pi belong together, with and without branches."""
+        creeping = creeping_exact.CreepingBilayer(Material(alpha=1.8e-4), 353.0,
+                                                  [Branch(0.05, 1.0), Branch(0.1, 2.0)])
+        creeping.a += 0.3 * np.sin(np.arange(creeping.a.size)).reshape(creeping.a.shape)
+        for bilayer in (bending_exact.Bilayer(Material(alpha=1.8e-4), 353.0), creeping):
+            self.check_gradient(bilayer)
+
+    def check_gradient(self, bilayer):
         y, e = bilayer.start(), 0.6
         y += 0.01 * np.sin(np.arange(len(y)))
         y[-1] = 0.1
@@ -51,6 +59,15 @@ class Bending(unittest.TestCase):
         """kappa h = 3/16 e^2."""
         state = bending_exact.circles(Material(), 293.0, [0.02])[0]
         self.assertAlmostEqual(state.curvature / 0.02**2, 3 / 16, delta=1e-3)
+
+    def test_small_creep(self):
+        """A branch as stiff as the rest: half of that at once, the rest in 2 tau."""
+        m = Material()
+        times = np.array([0.0, 1.0, 5.0])
+        states = creeping_exact.creep(m, 293.0, [Branch(m.mu(293.0), 1.5)], 0.02, times)
+        for state, t in zip(states, times):
+            part = 1 - np.exp(-t / 3) / 2
+            self.assertAlmostEqual(state.curvature / 0.02**2, 3 / 16 * part, delta=1e-3)
 
     def test_no_field(self):
         """Free expansion in the plane, and no bending."""

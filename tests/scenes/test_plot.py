@@ -62,12 +62,13 @@ def write_case(directory, theta, alpha, fields=None):
     for e, tip in ((c.e, c.tip(40)) for c in bending_exact.circles(m, theta, [0, 0.3, 0.6])):
         field = float(m.field(e, theta))
         stretch = planar_exact.stable_state(m, theta, field)[1]
+        pulled = 1 + min(e, 0.3) if alpha else 1.3 - abs(e - 0.3)  # and held, or back
         rows.append([field, e, theta, stretch, tip / 2, 80 * e, 5 * e, 10 * e, 40 * e, theta - 10,
-                     theta + 10, ""])
+                     theta + 10, pulled, 0.01 * e, ""])
     write_csv(directory / "curve.csv",
               ("voltage_kV", "e", "theta_K", "lambda_3", "tip_u1_mm", "end_rotation_deg",
                "centre_u1_mm", "time_s", "mid_rotation_deg", "theta_min_K", "theta_max_K",
-               "event"), rows)
+               "lambda_1", "reaction_f1_N", "event"), rows)
     (directory / "used.prm").write_text(USED_PRM.format(alpha=alpha))
     if fields:
         write_vtu(directory / "fields_0002.vtu", fields)
@@ -98,6 +99,8 @@ def write_results(folder):
                          "heated_bending", "gripper")
         write_study(folder / "figures" / name, (353.0,),
                     EXPANSIONS if "quarter" in name or "heated" in name else (0.0,), size[::2] if plane else size)
+    for name in ("relaxation", "pull_in_rate", "delayed_pull_in", "creeping_bending_actuator"):
+        write_study(folder / "figures" / name, (293.0,), EXPANSIONS)
 
 
 def plot(folder, *figures):
@@ -118,7 +121,7 @@ class Plot(unittest.TestCase):
         result = plot(self.folder)
         self.assertEqual(result.returncode, 0, result.stderr)
         pictures = list((self.folder / "pictures").glob("*.png"))
-        self.assertEqual(len(pictures), 14)
+        self.assertEqual(len(pictures), 18)
         for picture in pictures:
             self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
             self.assertLess(picture.stat().st_size, 200e3)
