@@ -135,8 +135,10 @@ public:
                      const Number& theta, const Given<Number>* step) const
   {
     const Stress<Number> stress(Flow<Number>(strain, step), strain, F);
-    return G.value(theta) / (2. * tau.value(theta)) *
-           (contract(stress.B, stress.B) - 3. * stress.m * stress.m);
+    Tensor3<2, Number> deviator = stress.B; // keeps what is small beside B
+    for (unsigned int i = 0; i < 3; ++i)
+      deviator[i][i] -= stress.m;
+    return G.value(theta) / (2. * tau.value(theta)) * contract(deviator, deviator);
   }
 
   /// C_v at the end of the step; at the strain itself where it has relaxed (@p step is null).
