@@ -22,6 +22,7 @@ TEST(TimeStepper, ReturnsToItsLengthAfterACut)
   stepper.declare(prm);
   prm.parse_input_from_string("subsection Time\nset End = 10\nset Initial step = 1\n"
                               "set Tolerance = 0\nset Stops = 0.5, 4.25\nend\n");
+  stepper.control(true, false);
   stepper.start({}, {});
   EXPECT_EQ(stepper.next(), 0.5);
   stepper.cut_back();
@@ -47,6 +48,7 @@ TEST(TimeStepper, JudgesTheFirstStep)
   stepper.declare(prm);
   prm.parse_input_from_string("subsection Time\nset End = 10\nset Initial step = 1\n"
                               "set Tolerance = 1e-5\nend\n");
+  stepper.control(true, false);
   stepper.start({}, {});
   const auto result = [](const double t) { return 1. / (1. + t); };
   double taken = stepper.next(), estimate = 0.;
@@ -55,7 +57,7 @@ TEST(TimeStepper, JudgesTheFirstStep)
     const double longer = std::exchange(taken, stepper.next());
     const double line = 1. + longer / taken * (result(taken) - 1.);
     estimate = first_error_share(taken, longer) * (result(longer) - line);
-    error = StepError{estimate, 1};
+    error = stepper.of_temperature({estimate, 1});
   }
   EXPECT_LE(estimate, tolerance);
   EXPECT_GT(estimate, tolerance / 100.);
