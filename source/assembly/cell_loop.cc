@@ -37,9 +37,11 @@ void CellLoop<dim>::initialise_internal()
 template <int dim>
 void CellLoop<dim>::keep_memory()
 {
-  n_remembered = 0;
-  for (const Cell<dim>& cell : layout.cells())
+  n_remembered = n_of_step = 0;
+  for (const Cell<dim>& cell : layout.cells()) {
     n_remembered = std::max(n_remembered, cell.material->n_history());
+    n_of_step = std::max(n_of_step, cell.material->n_step());
+  }
   n_remembered = dealii::Utilities::MPI::max(n_remembered, layout.communicator());
   if (n_remembered == 0 || fields == Solved::temperature)
     return;
@@ -54,40 +56,80 @@ void CellLoop<dim>::keep_memory()
 }
 
 template <int dim>
+StepTimes CellLoop<dim>::step_times() const
+{
+  const auto& path = state.path();
+  if (!state.rates || path.empty())
+    return {};
+  StepTimes times{state.time - path.back().load, 0., state.rates->order};
+  if (path.size() > 1)
+    times.dt_before = path.back().load - path[path.size() - 2].load;
+  return times;
+}
+
+template <int dim>
 CellMemory CellLoop<dim>::memory(const std::size_t cell) const
 {
   CellMemory memory;
   memory.n = n_remembered;
-  memory.flows = state.rates || state.holds_without_time;
+  memory.n_step = n_of_step;
+  if (n_of_step == 0 || !(state.rates || state.holds_without_time))
+    return memory;
+  prepare_steps();
+  const std::size_t first_point = cell * element->law_points().size();
+  memory.steps = steps.data() + first_point * n_of_step;
+  set_accepted(first_point, memory);
+  return memory;
+}
+
+/// What the last accepted states remember, from a point on.
+template <int dim>
+void CellLoop<dim>::set_accepted(const std::size_t first_point, CellMemory& memory) const
+{
   const auto& path = state.path();
   if (!state.rates || path.empty())
-    return memory;
-  const std::size_t begin = cell * n_remembered * element->law_points().size();
-  memory.old = path.back().history.data() + begin;
-  memory.times = {state.time - path.back().load, 0., state.rates->order};
-  if (path.size() > 1 && !path[path.size() - 2].history.empty()) {
-    memory.older = path[path.size() - 2].history.data() + begin;
-    memory.times.dt_before = path.back().load - path[path.size() - 2].load;
-  }
-  return memory;
+    return;
+  memory.old = path.back().history.data() + first_point * n_remembered;
+  if (path.size() > 1 && !path[path.size() - 2].history.empty())
+    memory.older = path[path.size() - 2].history.data() + first_point * n_remembered;
+}
+
+/// Every evaluation of a step from one state to one time has the same.
+template <int dim>
+void CellLoop<dim>::prepare_steps() const
+{
+  const StepKey key{state.version(), state.time, state.rates.has_value()};
+  if (key == prepared)
+    return;
+  prepared = key;
+  const std::size_t n_points = element->law_points().size();
+  const StepTimes times = step_times();
+  steps.assign(layout.cells().size() * n_points * n_of_step, 0.);
+  for (std::size_t cell = 0; cell < layout.cells().size(); ++cell)
+    for (std::size_t point = cell * n_points; point < (cell + 1) * n_points; ++point) {
+      CellMemory of_point;
+      set_accepted(point, of_point);
+      layout.cells()[cell].material->begin_step(times, of_point.old, of_point.older,
+                                                steps.data() + point * n_of_step);
+    }
 }
 
 template <int dim>
 double CellLoop<dim>::memory_error() const
 {
   const std::vector<double> now = state.history();
+  const StepTimes times = step_times();
   const std::size_t n_points = element->law_points().size();
   std::vector<double> own(2, 0.), sums(2); // squares, points
   for (std::size_t cell = 0; cell < layout.cells().size(); ++cell) {
     const Material& material = *layout.cells()[cell].material;
     if (material.n_history() == 0)
       continue;
-    const CellMemory of_cell = memory(cell);
-    for (std::size_t q = 0; q < n_points; ++q) {
-      const std::size_t first = q * n_remembered;
-      own[0] += std::pow(material.step_error(of_cell.times, of_cell.old + first,
-                                             of_cell.older ? of_cell.older + first : nullptr,
-                                             now.data() + cell * n_points * n_remembered + first),
+    for (std::size_t point = cell * n_points; point < (cell + 1) * n_points; ++point) {
+      CellMemory of_point;
+      set_accepted(point, of_point);
+      own[0] += std::pow(material.step_error(times, of_point.old, of_point.older,
+                                             now.data() + point * n_remembered),
                          2);
     }
     own[1] += n_points;

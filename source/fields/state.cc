@@ -10,6 +10,7 @@ void State::start(const double load)
 {
   x.update_ghost_values();
   past = {accepted(load)};
+  ++n_changes;
 }
 
 State::Accepted State::accepted(const double load) const
@@ -20,6 +21,7 @@ State::Accepted State::accepted(const double load) const
 void State::resume(std::vector<Accepted> path)
 {
   past = std::move(path);
+  ++n_changes;
   restore();
 }
 
@@ -32,6 +34,7 @@ void State::go_to(const Accepted& accepted)
 void State::forget()
 {
   past.pop_back();
+  ++n_changes;
   restore();
 }
 
@@ -40,6 +43,7 @@ void State::accept(const double load)
   if (past.size() == memory)
     past.erase(past.begin());
   past.push_back(accepted(load));
+  ++n_changes;
   if (past.size() > n_remembering)
     std::vector<double>().swap(past[past.size() - n_remembering - 1].history);
 }

@@ -77,10 +77,9 @@ public:
     const auto& cell = input.template get_cell<dim>();
     const Material& material = scene.materials.of_region(scene.mesh.region_of(cell));
     const CellMemory memory = scene.system.cells.memory(index_of.at(cell->active_cell_index()));
-    std::vector<double> step(material.n_step());
     for (std::size_t q = 0; q < output.size(); ++q) {
       PointState<> state = point(input, q);
-      state.history = memory.at(nearest[q], material, step.data());
+      state.history = memory.at(nearest[q]);
       const Kinematics<> kin(state.F);
       FirstDerivatives<> d;
       material.evaluate(state, d);

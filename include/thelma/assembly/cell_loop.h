@@ -53,13 +53,29 @@ public:
   Energies energies() const;
 
 private:
+  /// What the steps of all points belong to.
+  struct StepKey {
+    std::size_t version = 0;
+    double time = 0.;
+    bool flows = false;
+    bool operator==(const StepKey& other) const
+    {
+      return version == other.version && time == other.time && flows == other.flows;
+    }
+  };
+
   void keep_memory();
+  StepTimes step_times() const;
+  void set_accepted(std::size_t first_point, CellMemory& memory) const;
+  void prepare_steps() const;
 
   const DofLayout<dim>& layout;
   State& state;
   Solved fields = Solved::all;
   std::unique_ptr<Formulation<dim>> element;
-  unsigned int n_remembered = 0; ///< numbers at a point, by the law with most of the scene
+  unsigned int n_remembered = 0, n_of_step = 0; ///< numbers at a point, by the law with most
+  mutable StepKey prepared;
+  mutable std::vector<double> steps; ///< of the points of all own cells
   bool pressures_are_kept = false;
   std::vector<double> stabilisations;
 };

@@ -65,7 +65,7 @@ struct CellPoints {
   /// @p enhance(q, gradients) sets the gradients of modes that are no shape functions.
   template <typename Enhance>
   CellPoints(const Integration<dim>& rule, const CellView<dim>& view, const Enhance& enhance)
-      : n_points(rule.basis().n_points), geometry(rule.of_cell(view.index))
+      : n_points(rule.basis().n_points), geometry(rule.of_cell(view.index)), memory(view.memory)
   {
     const NodalValues<dim> x(view.x, rule.basis().n_nodes, view.cell.n_components);
     for (unsigned int q = 0; q < n_points; ++q) {
@@ -75,8 +75,8 @@ struct CellPoints {
     }
     for (unsigned int q = n_points; q % Lanes::n != 0; ++q) // lanes that belong to no point
       set_lane(input[q / Lanes::n], q % Lanes::n, point_input(view, x, gradients[n_points - 1]));
-    if (view.memory.flows && view.cell.material->n_history() > 0)
-      set_histories(*view.cell.material, view.memory);
+    if (memory.steps)
+      set_histories(view.cell.material->n_step());
     for (unsigned int k = 0; k < n_batches(); ++k)
       kinematics[k] = Kinematics<Lanes>(input[k].state.F);
     for (unsigned int q = 0; q < n_points; ++q)
@@ -100,8 +100,7 @@ struct CellPoints {
       point.grad_theta[i] = all.grad_theta[i][lane];
     }
     point.state.theta = all.state.theta[lane];
-    if (!steps.empty())
-      point.state.history = {steps.data() + q * (steps.size() / n_points)};
+    point.state.history = memory.at(q);
     return point;
   }
   PointState<> state(const unsigned int q) const { return at(q).state; }
@@ -122,27 +121,23 @@ struct CellPoints {
   double min_det_F = std::numeric_limits<double>::max();
 
 private:
-  /// The step of each point, alone and in its lane.
-  void set_histories(const Material& material, const CellMemory& memory)
+  /// The @p n numbers of the step of each point in its lane.
+  void set_histories(const unsigned int n)
   {
-    const unsigned int n = material.n_step();
-    steps.resize(std::size_t(n_points) * n);
-    for (unsigned int q = 0; q < n_points; ++q)
-      memory.at(q, material, steps.data() + std::size_t(q) * n);
-    steps_in_lanes.resize(std::size_t(n_batches()) * n);
+    steps.resize(std::size_t(n_batches()) * n);
     for (unsigned int k = 0; k < n_batches(); ++k) {
-      Lanes* values = steps_in_lanes.data() + std::size_t(k) * n;
+      Lanes* values = steps.data() + std::size_t(k) * n;
       for (unsigned int lane = 0; lane < Lanes::n; ++lane) {
-        const unsigned int q = std::min(k * Lanes::n + lane, n_points - 1);
+        const double* own = memory.at(std::min(k * Lanes::n + lane, n_points - 1)).step;
         for (unsigned int i = 0; i < n; ++i)
-          values[i].set(lane, steps[std::size_t(q) * n + i]);
+          values[i].set(lane, own[i]);
       }
       input[k].state.history = {values};
     }
   }
 
-  std::vector<double> steps; ///< of each point; empty where nothing flows
-  std::vector<Lanes> steps_in_lanes;
+  CellMemory memory;
+  std::vector<Lanes> steps; ///< of each batch of points; empty where nothing flows
 };
 
 /// What the law of a cell remembers after a step to @p view.

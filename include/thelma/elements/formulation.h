@@ -22,23 +22,18 @@ struct CellHistory {
   std::array<const double*, 2> x, internal;
 };
 
-/// What the points of a cell remember of the last accepted states, one after the other, and the
-/// step from there.
+/// What the points of a cell remember, one after the other.
 struct CellMemory {
-  bool flows = false;            ///< otherwise all has relaxed
-  const double* old = nullptr;   ///< none: the body at rest
-  const double* older = nullptr; ///< none: this is the first step
-  unsigned int n = 0;            ///< numbers for each point
-  StepTimes times = {};
+  const double* steps = nullptr; ///< PointHistory::step of each; null: all has relaxed
+  unsigned int n_step = 0;       ///< numbers for each
 
-  /// Of a @p point, into @p step, which has room for the numbers of its step.
-  PointHistory<> at(const unsigned int point, const Material& material, double* step) const
+  const double* old = nullptr;   ///< of the last accepted state; null: the body at rest
+  const double* older = nullptr; ///< of the one before; null: there is none
+  unsigned int n = 0;            ///< numbers for each point
+
+  PointHistory<> at(const unsigned int point) const
   {
-    if (!flows || material.n_history() == 0)
-      return {};
-    const std::size_t first = std::size_t(point) * n;
-    material.begin_step(times, old ? old + first : nullptr, older ? older + first : nullptr, step);
-    return {step};
+    return {steps ? steps + std::size_t(point) * n_step : nullptr};
   }
 };
 

@@ -32,7 +32,7 @@ inline PointHistory<> accepted_history(const Material& material, const CellMemor
                                        const std::size_t ago, const unsigned int q,
                                        std::vector<double>& step)
 {
-  if (!memory.flows || material.n_history() == 0)
+  if (!memory.steps || material.n_history() == 0)
     return {};
   step.resize(material.n_step());
   material.begin_step({}, (ago == 0 ? memory.old : memory.older) + std::size_t(q) * memory.n,
@@ -71,7 +71,7 @@ EntropyRate entropy_rate(const EnergyTerm& term, const Material& material,
   out.d_dtheta = rates.weights[0] *
                  (d.deta_dtheta - (EnergyTerm::conducts ? material.thermal.c / state.theta : 0.));
   if constexpr (EnergyTerm::conducts)
-    if (!state.history.is_relaxed())
+    if (!state.history.is_relaxed() && material.n_history() > 0)
       add_flow(material, state, rates, out);
   return out;
 }

@@ -64,6 +64,9 @@ public:
   /// Forget the last accepted state and return to the one before it.
   void forget();
 
+  /// Changes whenever accepted states come or go.
+  std::size_t version() const { return n_changes; }
+
   /// Load factor of the last accepted state.
   double accepted_load() const { return past.back().load; }
 
@@ -119,6 +122,7 @@ private:
 
   static constexpr std::size_t memory = 4;
   std::vector<Accepted> past;
+  std::size_t n_changes = 1;
   std::function<std::vector<double>()> remember; ///< none where no law remembers
 };
 
