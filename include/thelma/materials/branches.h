@@ -79,15 +79,17 @@ public:
     });
   }
 
+  /// The same and the second derivative.
   template <typename Number>
   void add_second(const Tensor3<2, Number>& F, const Kinematics<Number>& kin, const Number& theta,
-                  const PointHistory<Given<Number>>& history, Tensor3<4, Number>& W_FF) const
+                  const PointHistory<Given<Number>>& history, ElasticDerivatives<Number>& d,
+                  Tensor3<4, Number>& W_FF) const
   {
     if (n_of_step == 0 || history.is_relaxed())
       return;
     const IsochoricStrain<Number> strain(F, kin.J);
     for_each(history.step, [&](const auto& branch, const auto* step) {
-      branch.add_second(F, kin, strain, theta, step, W_FF);
+      branch.add_second(F, kin, strain, theta, step, d, W_FF);
     });
   }
 

@@ -46,7 +46,8 @@ public:
   FirstDerivatives<Number> first_derivatives(const PointState<Number>& state) const
   {
     const Kinematics<Number> kin(state.F);
-    const Split<Number> em(*this, state, kin);
+    Split<Number> em(*this, state, kin);
+    branches.add_first(em.F, em.kin, state.theta, state.history, em.d);
     const Number f = state.theta / thermal.theta_0;
     FirstDerivatives<Number> out;
     out.P = f * em.s * em.d.W_F;
@@ -69,11 +70,11 @@ public:
   void set_second_derivatives(const PointState<Number>& state, SecondDerivatives<Number>& out) const
   {
     const Kinematics<Number> kin(state.F);
-    const Split<Number> em(*this, state, kin);
+    Split<Number> em(*this, state, kin);
     const Number f = state.theta / thermal.theta_0;
     const double alpha = thermal.alpha;
     out.dP_dF = elastic.second(em.F, em.kin, state.theta);
-    branches.add_second(em.F, em.kin, state.theta, state.history, out.dP_dF);
+    branches.add_second(em.F, em.kin, state.theta, state.history, em.d, out.dP_dF);
     const Tensor3<2, Number> W_FF_F = apply(out.dP_dF, em.F);
     out.dP_dF *= f * em.s * em.s;
     out.dP_dtheta = em.s * ((1. / thermal.theta_0 - alpha * f) * em.d.W_F +
@@ -88,7 +89,8 @@ public:
   Energies energies(const PointState<>& state) const override
   {
     const Kinematics<> kin(state.F);
-    const Split<double> em(*this, state, kin);
+    Split<double> em(*this, state, kin);
+    branches.add_first(em.F, em.kin, state.theta, state.history, em.d);
     const double theta = state.theta;
     const double entropy = thermal.coupling_entropy(theta, first_derivatives(state).eta);
     const double D = dissipation(state);
@@ -171,7 +173,7 @@ private:
            branches.dissipation(F_EM, J_EM, state.theta, state.history);
   }
 
-  /// The electro-mechanical part of the deformation and the elastic law at it.
+  /// The electro-mechanical part of the deformation and the elastic law at it, without branches.
   template <typename Number>
   struct Split {
     Split(const ComposedMaterial& m, const PointState<Number>& state,
@@ -181,7 +183,6 @@ private:
       kin.J = total.J * s * s * s;
       kin.G = total.G / s;
       d = m.elastic.first(F, kin, state.theta);
-      m.branches.add_first(F, kin, state.theta, state.history, d);
     }
 
     Number s;

@@ -91,26 +91,21 @@ public:
                  const IsochoricStrain<Number>& strain, const Number& theta,
                  const Given<Number>* step, ElasticDerivatives<Number>& d) const
   {
-    const Stress<Number> stress(Flow<Number>(strain, step), strain, F);
-    const Number modulus = G.value(theta), slope = G.slope(theta), I = (3. * stress.m - 3.) / 2.;
-    const Tensor3<2, Number> P = stress.T - stress.m * kin.G;
-    d.W += modulus * I;
-    d.W_theta += slope * I;
-    d.W_thetatheta += G.curvature(theta) * I;
-    d.W_F += modulus * P;
-    d.W_Ftheta += slope * P;
+    add_first(Stress<Number>(Flow<Number>(strain, step), strain, F), kin, theta, d);
   }
 
-  /// Add W_FF, which is G times, with h = w/c and
+  /// The same, and add W_FF, which is G times, with h = w/c and
   /// Q = 2/3 (h B T - (1 + h m) T) + 1/3 (h (m^2 - B : B/3) + m) g,
   ///   2/3 h T_iJ T_kL + Q_iJ g_kL + g_iJ Q_kL + (d_ik - h B_ik) A_JL - h T_iL T_kJ + m g_iL g_kJ.
   template <typename Number>
   void add_second(const Tensor3<2, Number>& F, const Kinematics<Number>& kin,
                   const IsochoricStrain<Number>& strain, const Number& theta,
-                  const Given<Number>* step, Tensor3<4, Number>& W_FF) const
+                  const Given<Number>* step, ElasticDerivatives<Number>& d,
+                  Tensor3<4, Number>& W_FF) const
   {
     const Flow<Number> end(strain, step);
     const Stress<Number> stress(end, strain, F);
+    add_first(stress, kin, theta, d);
     const Tensor3<2, Number>&B = stress.B, &g = kin.G;
     const Number h = end.w / end.c, m = stress.m, modulus = G.value(theta);
     const Number of_T = -2. / 3. * (1. + h * m),
@@ -183,6 +178,19 @@ private:
     Tensor3<2, Number> A, T, B;
     Number m;
   };
+
+  template <typename Number>
+  void add_first(const Stress<Number>& stress, const Kinematics<Number>& kin, const Number& theta,
+                 ElasticDerivatives<Number>& d) const
+  {
+    const Number modulus = G.value(theta), slope = G.slope(theta), I = (3. * stress.m - 3.) / 2.;
+    const Tensor3<2, Number> P = stress.T - stress.m * kin.G;
+    d.W += modulus * I;
+    d.W_theta += slope * I;
+    d.W_thetatheta += G.curvature(theta) * I;
+    d.W_F += modulus * P;
+    d.W_Ftheta += slope * P;
+  }
 
   static Tensor3<2> rest() { return Tensor3<2>(dealii::unit_symmetric_tensor<3>()); }
 
