@@ -94,6 +94,16 @@ TEST_P(TangentWithHistory, IsTheDerivativeOfTheResidual)
   while_it_flows([](auto& scene) { expect_tangent_is_derivative(scene); });
 }
 
+TEST_P(TangentWithHistory, GivesNewtonSecondOrder)
+{
+  while_it_flows([](auto& scene) {
+    ASSERT_TRUE(scene.system.residual().admissible());
+    BlockVector direction = scene.layout.new_vector();
+    add_noise(scene, {3e-4, 3e-2, 0.3}, direction);
+    expect_second_order(scene, direction, 2e-3);
+  });
+}
+
 TEST_P(TangentWithHistory, ResidualIsTheSlopeOfTheEnergyStored)
 {
   while_it_flows([](auto& scene) {
