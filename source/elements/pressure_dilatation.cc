@@ -176,8 +176,9 @@ double PressureDilatation<dim>::stabilisation(const CellView<dim>& view) const
     for (unsigned int q = 0; q < points.n_points; ++q) {
       const double pressure = modes->combination(modes->at(q), view.internal);
       const double most = part * material.thermal.volumetric(dilatation, points.theta(q)).dp_dJ;
-      needed =
-          std::max(needed, needed_stabilisation(material, points.state(q), pressure, dim, most));
+      PointState<> relaxed = points.state(q); // or a body at rest would not stay so in time
+      relaxed.history = {};
+      needed = std::max(needed, needed_stabilisation(material, relaxed, pressure, dim, most));
     }
   });
   return needed;

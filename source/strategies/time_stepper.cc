@@ -86,11 +86,14 @@ std::string TimeStepper::steps_over(std::vector<double> bends) const
          " s; choose a shorter Time/Initial step, or a Time/Tolerance above 0";
 }
 
-double TimeStepper::next()
+double TimeStepper::next(const bool at_once)
 {
+  constexpr double instant = 1e-9;
   const double stop = *std::upper_bound(stops.begin(), stops.end(), time);
   const double left = stop - time, n_steps = std::ceil(left / size * (1. - 1e-9));
   trial = n_steps <= 1. ? stop : time + (n_steps <= 2. ? left / 2. : size);
+  if (at_once)
+    trial = std::min(trial, time + instant * end);
   return trial;
 }
 

@@ -139,7 +139,9 @@ template <int dim>
 StepReport TimeSteps<dim>::advance()
 {
   StepReport step;
-  step.load = stepper.next();
+  // Internal variables do not jump with the loads: strains would seem to grow evenly meanwhile.
+  step.load =
+      stepper.next(has_memory && !has_heat() && jump(loads, state, accepted_levels, final_time()));
   state.rates = stepper.scheme().rates(step.load, times_of(state));
   state.rates->heat = structural_heat;
   predictor.predict(step.load, LoadSymmetry::none);
@@ -258,7 +260,7 @@ std::string TimeSteps<dim>::why_exhausted() const
 {
   const std::string time = as_text(state.accepted_load()) + " s";
   if (failed.newton.converged)
-    return " beyond " + time + " no time step keeps Time/Tolerance; choose a larger one";
+    return " beyond " + time + " no time step keeps the tolerances of Time; choose larger ones";
   return ": no stable state beyond " + time + ": " + failed.newton.reason +
          (state.accepted_load() > 0. ? ""
                                      : "; against a jump at time 0 more Newton/Iterations help, or "

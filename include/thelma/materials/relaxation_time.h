@@ -1,5 +1,6 @@
 #pragma once
 
+#include <thelma/base/lanes.h>
 #include <thelma/base/option_names.h>
 #include <thelma/base/quantity.h>
 #include <thelma/materials/temperature_law.h>
@@ -39,7 +40,7 @@ public:
   Number value(const Number& theta) const
   {
     using std::exp;
-    const Number tau = law.value(theta);
+    const Number tau = positive(law.value(theta)); // no number where there is none
     return shift == Shift::none ? tau : Number(tau * exp(ln_shift(theta)));
   }
 
@@ -71,7 +72,8 @@ private:
   {
     if (shift == Shift::Arrhenius)
       return activation_energy / gas_constant * (1. / theta - 1. / theta_r);
-    return -ln_10 * wlf[0] * (theta - theta_r) / (wlf[1] + theta - theta_r);
+    const Number below = wlf[1] + theta - theta_r;
+    return -ln_10 * wlf[0] * (theta - theta_r) / positive(below);
   }
 
   static constexpr double gas_constant = 8.31446261815324; ///< J/(mol K)

@@ -56,7 +56,8 @@ struct StrainHistory {
       : dt(times.dt), dt_before(times.dt_before), order(times.order), C_iso_old(symmetric(old)),
         theta_old(old[n_symmetric])
   {
-    if (older) {
+    constexpr double tiny = 1e-3; // a jump is stepped over at once
+    if (older && times.dt_before > tiny * times.dt) {
       C_iso_older = symmetric(older);
       theta_older = older[n_symmetric];
     } else

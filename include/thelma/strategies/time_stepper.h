@@ -40,8 +40,8 @@ public:
 
   const TimeScheme& scheme() const { return *chosen; }
 
-  /// Next time to try, in s.
-  double next();
+  /// Next time to try, in s; @p at_once: as near as a time can be, as loads jump.
+  double next(bool at_once = false);
 
   /// Whether the @p error of the step over the tolerance is small enough; an unknown one is not.
   bool tolerates(const std::optional<StepError>& error) const
@@ -57,7 +57,10 @@ public:
   void cut_back();
 
   bool finished() const { return time >= end; }
-  bool exhausted() const { return size < std::min(1e-9 * end, 1e-3 * initial); }
+  bool exhausted() const
+  {
+    return size < std::max(std::min(1e-9 * end, 1e-3 * initial), 1e-12 * time);
+  }
   double step() const { return size; }
   double final_time() const { return end; }
 
