@@ -1,6 +1,7 @@
 #include <thelma/materials/branches.h>
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace thelma
@@ -80,11 +81,14 @@ void Branches::begin_step(const StepTimes& times, const double* old, const doubl
                           double* step) const
 {
   const double* of_branch = old ? old + StrainHistory::n : nullptr;
+  std::optional<StrainHistory> strain;
+  if (old && times.dt > 0.)
+    strain.emplace(times, old, older);
   for (const Branch& branch : list)
     std::visit(
         [&](const auto& law) {
-          if (old && times.dt > 0.)
-            law.begin_step(StrainHistory(times, old, older), of_branch, step);
+          if (strain)
+            law.begin_step(*strain, of_branch, step);
           else
             law.stand_still(of_branch, step);
           step += law.n_step;

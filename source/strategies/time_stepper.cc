@@ -51,7 +51,6 @@ void TimeStepper::control(const bool has_temperature, const bool has_memory)
 
 void TimeStepper::start(const std::vector<double>& kinks, const std::vector<double>& bends)
 {
-  constexpr double instant = 1e-9;
   time = trial = 0.;
   size = std::min(initial, largest);
   stops = kinks;
@@ -88,7 +87,6 @@ std::string TimeStepper::steps_over(std::vector<double> bends) const
 
 double TimeStepper::next(const bool at_once)
 {
-  constexpr double instant = 1e-9;
   const double stop = *std::upper_bound(stops.begin(), stops.end(), time);
   const double left = stop - time, n_steps = std::ceil(left / size * (1. - 1e-9));
   trial = n_steps <= 1. ? stop : time + (n_steps <= 2. ? left / 2. : size);
@@ -97,7 +95,7 @@ double TimeStepper::next(const bool at_once)
   return trial;
 }
 
-bool TimeStepper::accept(const std::optional<StepError>& error)
+bool TimeStepper::accept(const MaybeError& error)
 {
   constexpr double safety = 0.9, least = 0.2, most = 2., unknown = 0.5;
   double factor = is_adaptive ? unknown : most; // after a cut, back to the first length

@@ -49,8 +49,9 @@ template <int dim>
 bool jump(const Loads<dim>& loads, const State& state, const std::vector<double>& accepted_levels,
           const double final_time)
 {
-  constexpr double instant = 1e-9, smooth = 1e-6;
-  const std::vector<double> soon = loads.levels_at(state.accepted_load() + instant * final_time);
+  constexpr double smooth = 1e-6;
+  const std::vector<double> soon =
+      loads.levels_at(state.accepted_load() + TimeStepper::instant * final_time);
   for (std::size_t i = 0; i < loads.size(); ++i)
     if (loads[i].is_present() && loads[i].acts_at_once() &&
         std::abs(soon[i] - accepted_levels[i]) > smooth)
@@ -172,8 +173,8 @@ NewtonReport TimeSteps<dim>::solve(const bool is_last_part, const bool extrapola
     if (!warmed.converged)
       return warmed;
     if (is_last_part)
-      include(temperature_error(layout, conditions, state, stepper.scheme(), longer),
-              &TimeStepper::of_temperature);
+      include(stepper.of_temperature(
+          temperature_error(layout, conditions, state, stepper.scheme(), longer)));
     if (is_last_part && !stepper.tolerates(step_error))
       return warmed;
   }
@@ -183,19 +184,17 @@ NewtonReport TimeSteps<dim>::solve(const bool is_last_part, const bool extrapola
     report.add(warmed);
   }
   if (report.converged && is_last_part && has_memory)
-    include(StepError{deformation.cells.memory_error(), stepper.scheme().order},
-            &TimeStepper::of_memory);
+    include(stepper.of_memory(StepError{deformation.cells.memory_error(), stepper.scheme().order}));
   return report;
 }
 
 /// The largest error counts, and one that is unknown.
 template <int dim>
-void TimeSteps<dim>::include(const std::optional<StepError>& error, const Measure measure)
+void TimeSteps<dim>::include(const TimeStepper::MaybeError& relative)
 {
-  if (!error || !step_error)
+  if (!relative || !step_error)
     step_error.reset();
-  else if (const StepError relative = (stepper.*measure)(*error);
-           relative.value >= step_error->value)
+  else if (relative->value >= step_error->value)
     step_error = relative;
 }
 

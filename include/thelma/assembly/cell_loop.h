@@ -28,7 +28,6 @@ public:
   void initialise_internal();
 
   Solved solved() const { return fields; }
-  bool is_chosen() const { return element != nullptr; }
   const Formulation<dim>& formulation() const { return *element; }
 
   /// The linear solver keeps the pressures of the cells as unknowns.

@@ -58,11 +58,9 @@ public:
            const PointHistory<Given<Number>>& history) const
   {
     Number sum = 0.;
-    if (n_of_step > 0 && !history.is_relaxed()) {
-      const IsochoricStrain<Number> strain(F, J);
-      for_each(history.step,
-               [&](const auto& branch, const auto* step) { sum += branch.W(strain, theta, step); });
-    }
+    while_flowing(F, J, history, [&](const auto& branch, const auto& strain, const auto* step) {
+      sum += branch.W(strain, theta, step);
+    });
     return sum;
   }
 
@@ -71,10 +69,7 @@ public:
   void add_first(const Tensor3<2, Number>& F, const Kinematics<Number>& kin, const Number& theta,
                  const PointHistory<Given<Number>>& history, ElasticDerivatives<Number>& d) const
   {
-    if (n_of_step == 0 || history.is_relaxed())
-      return;
-    const IsochoricStrain<Number> strain(F, kin.J);
-    for_each(history.step, [&](const auto& branch, const auto* step) {
+    while_flowing(F, kin.J, history, [&](const auto& branch, const auto& strain, const auto* step) {
       branch.add_first(F, kin, strain, theta, step, d);
     });
   }
@@ -85,10 +80,7 @@ public:
                   const PointHistory<Given<Number>>& history, ElasticDerivatives<Number>& d,
                   Tensor3<4, Number>& W_FF) const
   {
-    if (n_of_step == 0 || history.is_relaxed())
-      return;
-    const IsochoricStrain<Number> strain(F, kin.J);
-    for_each(history.step, [&](const auto& branch, const auto* step) {
+    while_flowing(F, kin.J, history, [&](const auto& branch, const auto& strain, const auto* step) {
       branch.add_second(F, kin, strain, theta, step, d, W_FF);
     });
   }
@@ -99,25 +91,27 @@ public:
                      const PointHistory<Given<Number>>& history) const
   {
     Number sum = 0.;
-    if (n_of_step > 0 && !history.is_relaxed()) {
-      const IsochoricStrain<Number> strain(F, J);
-      for_each(history.step, [&](const auto& branch, const auto* step) {
-        sum += branch.dissipation(F, strain, theta, step);
-      });
-    }
+    while_flowing(F, J, history, [&](const auto& branch, const auto& strain, const auto* step) {
+      sum += branch.dissipation(F, strain, theta, step);
+    });
     return sum;
   }
 
 private:
-  /// Call @p visit(law of a branch, its part of the numbers of a step).
-  template <typename Value, typename Visitor>
-  void for_each(const Value* step, const Visitor& visit) const
+  /// Unless all has relaxed, call @p visit(law, C_iso at F, numbers of its step) for every branch.
+  template <typename Number, typename Visitor>
+  void while_flowing(const Tensor3<2, Number>& F, const Number& J,
+                     const PointHistory<Given<Number>>& history, const Visitor& visit) const
   {
+    if (n_of_step == 0 || history.is_relaxed())
+      return;
+    const IsochoricStrain<Number> strain(F, J);
+    const Given<Number>* step = history.step;
     for (const Branch& branch : list)
       std::visit(
           [&](const auto& law) {
-            visit(law, step);
-            step += std::decay_t<decltype(law)>::n_step;
+            visit(law, strain, step);
+            step += law.n_step;
           },
           branch);
   }

@@ -33,11 +33,9 @@ public:
   Number psi(const PointState<Number>& state) const
   {
     const Kinematics<Number> kin(state.F);
-    const Number s = thermal.split(state.theta);
-    const Tensor3<2, Number> F_EM = s * state.F;
-    const Number J_EM = kin.J * s * s * s;
+    const Strain<Number> em(thermal, state, kin.J);
     const Number W =
-        elastic.W(F_EM, J_EM, state.theta) + branches.W(F_EM, J_EM, state.theta, state.history);
+        elastic.W(em.F, em.J, state.theta) + branches.W(em.F, em.J, state.theta, state.history);
     return state.theta / thermal.theta_0 * W + dielectric.psi(state, kin) +
            thermal.psi(state.theta);
   }
@@ -166,27 +164,36 @@ private:
   template <typename Number>
   Number dissipation(const PointState<Number>& state) const
   {
-    const Number s = thermal.split(state.theta), J = Kinematics<Number>(state.F).J;
-    const Tensor3<2, Number> F_EM = s * state.F;
-    const Number J_EM = J * s * s * s;
+    const Strain<Number> em(thermal, state, Kinematics<Number>(state.F).J);
     return state.theta / thermal.theta_0 *
-           branches.dissipation(F_EM, J_EM, state.theta, state.history);
+           branches.dissipation(em.F, em.J, state.theta, state.history);
   }
 
-  /// The electro-mechanical part of the deformation and the elastic law at it, without branches.
+  /// The electro-mechanical part of the deformation.
   template <typename Number>
-  struct Split {
-    Split(const ComposedMaterial& m, const PointState<Number>& state,
-          const Kinematics<Number>& total)
-        : s(m.thermal.split(state.theta)), F(s * state.F), kin(total)
+  struct Strain {
+    Strain(const Thermal& thermal, const PointState<Number>& state, const Number& det_F)
+        : s(thermal.split(state.theta)), F(s * state.F), J(det_F * s * s * s)
     {
-      kin.J = total.J * s * s * s;
-      kin.G = total.G / s;
-      d = m.elastic.first(F, kin, state.theta);
     }
 
     Number s;
     Tensor3<2, Number> F;
+    Number J;
+  };
+
+  /// The same and the elastic law at it, without branches.
+  template <typename Number>
+  struct Split : Strain<Number> {
+    Split(const ComposedMaterial& m, const PointState<Number>& state,
+          const Kinematics<Number>& total)
+        : Strain<Number>(m.thermal, state, total.J), kin(total)
+    {
+      kin.J = this->J;
+      kin.G = total.G / this->s;
+      d = m.elastic.first(this->F, kin, state.theta);
+    }
+
     Kinematics<Number> kin;
     ElasticDerivatives<Number> d;
   };

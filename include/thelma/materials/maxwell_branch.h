@@ -40,7 +40,7 @@ public:
   {
     if (!(G.value(theta) >= 0.))
       return "Modulus";
-    return tau.is_defined(theta) && tau.value(theta) > 0. ? "" : "Relaxation time";
+    return tau.value(theta) > 0. ? "" : "Relaxation time";
   }
 
   double modulus(const double theta) const { return G.value(theta); }

@@ -21,7 +21,7 @@ public:
   {
     law.declare(prm, "Relaxation time",
                 "tau(theta), in which the stress falls to 1/e at fixed deformation. Outside time "
-                "the branch has relaxed unless Time/Static states says otherwise.",
+                "the branch has relaxed unless Stepping/Static states says otherwise.",
                 Quantity("s"));
     OptionNames<Shift>(
         {{"none", Shift::none}, {"Arrhenius", Shift::Arrhenius}, {"WLF", Shift::WLF}})
@@ -36,32 +36,13 @@ public:
                  Quantity("K", 1., 1e4));
   }
 
+  /// No number where there is none: where the law is not positive, or below the range of WLF.
   template <typename Number>
   Number value(const Number& theta) const
   {
     using std::exp;
-    const Number tau = positive(law.value(theta)); // no number where there is none
+    const Number tau = positive(law.value(theta));
     return shift == Shift::none ? tau : Number(tau * exp(ln_shift(theta)));
-  }
-
-  /// d(ln tau)/dtheta.
-  template <typename Number>
-  Number log_slope(const Number& theta) const
-  {
-    const Number slope = law.slope(theta) / law.value(theta);
-    if (shift == Shift::Arrhenius)
-      return slope - activation_energy / gas_constant / (theta * theta);
-    if (shift == Shift::WLF) {
-      const Number below = wlf[1] + theta - theta_r;
-      return slope - ln_10 * wlf[0] * wlf[1] / (below * below);
-    }
-    return slope;
-  }
-
-  /// Whether WLF's equation holds at @p theta.
-  bool is_defined(const double theta) const
-  {
-    return shift != Shift::WLF || theta > theta_r - wlf[1];
   }
 
 private:

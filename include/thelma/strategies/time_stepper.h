@@ -22,14 +22,17 @@ struct StepError {
 class TimeStepper
 {
 public:
+  static constexpr double instant = 1e-9; ///< of the end: no time passes in between
+
   void declare(dealii::ParameterHandler& prm);
 
   /// Whether there is a temperature, and internal variables, whose errors have tolerances.
   void control(bool has_temperature, bool has_memory);
 
-  /// The @p error over its tolerance; zero where nothing is asked.
-  StepError of_temperature(const StepError& error) const { return over(tolerance, error); }
-  StepError of_memory(const StepError& error) const { return over(strain_tolerance, error); }
+  /// An @p error, if it is known, over its tolerance; zero where nothing is asked.
+  using MaybeError = std::optional<StepError>;
+  MaybeError of_temperature(const MaybeError& error) const { return over(tolerance, error); }
+  MaybeError of_memory(const MaybeError& error) const { return over(strain_tolerance, error); }
 
   /// Begin at time 0; the steps meet each of the times @p kinks, those that the scene names and,
   /// where their length is not given, the times @p bends.
@@ -44,14 +47,14 @@ public:
   double next(bool at_once = false);
 
   /// Whether the @p error of the step over the tolerance is small enough; an unknown one is not.
-  bool tolerates(const std::optional<StepError>& error) const
+  bool tolerates(const MaybeError& error) const
   {
     return !is_adaptive || (error && error->value <= 1.);
   }
 
   /// End the step and choose the length of the next. Returns whether its @p error is tolerated; if
   /// not, the step is cut and to be taken again.
-  bool accept(const std::optional<StepError>& error);
+  bool accept(const MaybeError& error);
 
   /// After a step that failed.
   void cut_back();
@@ -59,7 +62,7 @@ public:
   bool finished() const { return time >= end; }
   bool exhausted() const
   {
-    return size < std::max(std::min(1e-9 * end, 1e-3 * initial), 1e-12 * time);
+    return size < std::max(std::min(instant * end, 1e-3 * initial), 1e-12 * time);
   }
   double step() const { return size; }
   double final_time() const { return end; }
@@ -72,9 +75,11 @@ public:
   }
 
 private:
-  static StepError over(const double tolerance, const StepError& error)
+  static MaybeError over(const double tolerance, MaybeError error)
   {
-    return {tolerance > 0. ? error.value / tolerance : 0., error.order};
+    if (error)
+      error->value = tolerance > 0. ? error->value / tolerance : 0.;
+    return error;
   }
 
   double end = 1., initial = 0.01, largest = 1e300, tolerance = 0.1, strain_tolerance = 1e-3;

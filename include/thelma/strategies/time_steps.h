@@ -81,8 +81,7 @@ private:
   bool has_heat() const { return layout.has_transient_temperature(); }
   bool is_monolithic() const { return has_heat() && coupling == Coupling::monolithic; }
   NewtonReport solve(bool is_last_part, bool extrapolates);
-  using Measure = StepError (TimeStepper::*)(const StepError&) const;
-  void include(const std::optional<StepError>& error, Measure measure);
+  void include(const TimeStepper::MaybeError& relative);
   NewtonReport deform(bool extrapolates);
   void prescribe(double time, unsigned int part);
   void restore();

@@ -69,6 +69,18 @@ void check_name(const std::string& name, const std::map<std::string, std::string
                      "' begins the names of its columns; use only letters, digits and _");
 }
 
+/// What all of them @p tell, one after the other.
+template <int dim>
+std::vector<std::string> texts(const std::vector<std::unique_ptr<Observable<dim>>>& observed,
+                               std::vector<std::string> (Observable<dim>::*tell)() const)
+{
+  std::vector<std::string> all;
+  for (const auto& observable : observed)
+    for (const std::string& text : (*observable.*tell)())
+      all.push_back(text);
+  return all;
+}
+
 } // namespace
 
 template <int dim>
@@ -196,21 +208,13 @@ void ChosenObservables<dim>::require_distinct(const std::vector<std::string>& cu
 template <int dim>
 std::vector<std::string> ChosenObservables<dim>::columns() const
 {
-  std::vector<std::string> all;
-  for (const auto& observable : observed)
-    for (const std::string& column : observable->columns())
-      all.push_back(column);
-  return all;
+  return texts<dim>(observed, &Observable<dim>::columns);
 }
 
 template <int dim>
 std::vector<std::string> ChosenObservables<dim>::remarks() const
 {
-  std::vector<std::string> sentences;
-  for (const auto& observable : observed)
-    for (const std::string& sentence : observable->remarks())
-      sentences.push_back(sentence);
-  return sentences;
+  return texts<dim>(observed, &Observable<dim>::remarks);
 }
 
 template <int dim>
