@@ -41,7 +41,8 @@ void Strategies<dim>::check(const bool has_conditions, InputErrors& found)
   });
   if (model.layout.has(Field::temperature))
     found.collect([&]() {
-      model.materials.check_heat(model.layout.has_transient_temperature(), time_steps.makes_heat_by_power());
+      model.materials.check_heat(model.layout.has_transient_temperature(),
+                                 time_steps.makes_heat_by_power());
     });
   if (has_conditions)
     found.collect([&]() { arc_length.setup(model.mesh, model.layout, model.conditions); });

@@ -57,7 +57,7 @@ TEST(TimeStepper, JudgesTheFirstStep)
     const double longer = std::exchange(taken, stepper.next());
     const double line = 1. + longer / taken * (result(taken) - 1.);
     estimate = first_error_share(taken, longer) * (result(longer) - line);
-    error = stepper.of_temperature({estimate, 1});
+    error = stepper.of_temperature(StepError{estimate, 1});
   }
   EXPECT_LE(estimate, tolerance);
   EXPECT_GT(estimate, tolerance / 100.);
