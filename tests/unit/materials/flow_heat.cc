@@ -22,7 +22,8 @@ TEST(FlowHeat, IsWhatIsNoLongerStored)
     const PointState<> before = memory.state(F, 0.);
     const Energies stored = material->energies(before);
     const double dissipation = material->flow_heat(before).dissipation;
-    EXPECT_EQ(dissipation, stored.dissipation);
+    EXPECT_NEAR(dissipation, stored.dissipation,
+                1e-12 * dissipation); // other types round otherwise
     EXPECT_GE(dissipation, 0.);
     memory.step(F, dt);
     const double lost = stored.elastic - material->energies(memory.state(F, 0.)).elastic;
