@@ -1,6 +1,6 @@
 """The buckling field of an imperfect layer from its curve, after Southwell.
 
-Near the buckling field e_cr the deflection w follows (doc/theory.md, eq. 49)
+Near the buckling field e_cr the deflection w follows (doc/theory.md, eq. 50)
 
     w = (e/e_cr)^2 (w + w_0) - b w^3,
 

@@ -73,7 +73,7 @@ public:
     for (std::size_t i = 0; i < n_outer; ++i)
       std::copy_n(result.tangent.begin() + i * n, n_outer, result.tangent.begin() + i * n_outer);
     result.tangent.resize(n_outer * n_outer);
-    // One for each mode of the potential belongs to a stable cell, as in eq. (50).
+    // One for each mode of the potential belongs to a stable cell, as in eq. (51).
     result.unstable_inside = static_cast<int>(n_negative) - (view.cell.has_potential ? dim : 0);
   }
 
@@ -189,7 +189,7 @@ private:
     return R;
   }
 
-  /// Squared residual @p R of the modes in the units of eq. (67).
+  /// Squared residual @p R of the modes in the units of eq. (68).
   double mode_error(const CellView<dim>& view, const double* R) const
   {
     const Material& material = *view.cell.material;

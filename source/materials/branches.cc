@@ -118,6 +118,20 @@ void Branches::update_history(const Tensor3<2>& F, const double theta, const dou
         branch);
 }
 
+Dissipated<> Branches::dissipated(const double* before, const double* now) const
+{
+  Dissipated<> sum;
+  std::size_t k = StrainHistory::n;
+  for (const Branch& branch : list)
+    std::visit(
+        [&](const auto& law) {
+          law.add_dissipated({before, before + k}, {now, now + k}, sum);
+          k += law.n_history;
+        },
+        branch);
+  return sum;
+}
+
 double Branches::step_error(const StepTimes& times, const double* old, const double* older,
                             const double* now) const
 {

@@ -1,4 +1,4 @@
-// The matrix of theory.md, eq. 63.
+// The matrix of theory.md, eq. 64.
 
 #include <thelma/assembly/tangent_matrix.h>
 #include <thelma/elements/integrate.h>

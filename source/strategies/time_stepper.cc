@@ -104,6 +104,7 @@ bool TimeStepper::accept(const MaybeError& error)
         std::clamp(safety * std::pow(1. / std::max(error->value, 1e-300), 1. / (error->order + 1)),
                    least, most);
   const bool accepted = tolerates(error);
+  has_failed = false;
   const double taken = trial - time;
   if (accepted)
     time = trial;
@@ -117,6 +118,7 @@ bool TimeStepper::accept(const MaybeError& error)
 void TimeStepper::cut_back()
 {
   size = (trial - time) / 4.;
+  has_failed = true;
 }
 
 double first_error_share(const double time, const double longer)

@@ -259,7 +259,7 @@ std::string TimeSteps<dim>::why_exhausted() const
 {
   const std::string time = as_text(state.accepted_load()) + " s";
   if (failed.newton.converged)
-    return " beyond " + time + " no time step keeps the tolerances of Time; choose larger ones";
+    return ": beyond " + time + " no time step keeps the tolerances of Time; choose larger ones";
   return ": no stable state beyond " + time + ": " + failed.newton.reason +
          (state.accepted_load() > 0. ? ""
                                      : "; against a jump at time 0 more Newton/Iterations help, or "

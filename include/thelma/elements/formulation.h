@@ -31,6 +31,13 @@ struct CellMemory {
   const double* older = nullptr; ///< of the one before; null: there is none
   unsigned int n = 0;            ///< numbers for each point
 
+  /// What a point remembers of the last accepted state, or of the one before it.
+  const double* accepted(const std::size_t ago, const unsigned int point) const
+  {
+    const double* first = ago == 0 ? old : older;
+    return first ? first + std::size_t(point) * n : nullptr;
+  }
+
   PointHistory<> at(const unsigned int point) const
   {
     return {steps ? steps + std::size_t(point) * n_step : nullptr};
@@ -95,7 +102,7 @@ struct Elimination {
 };
 
 /// What the residuals of the fields are measured by: a stress mu in MPa, an electric displacement
-/// sqrt(eps mu), a heat flux k * 1 K/mm (theory.md, eq. 67).
+/// sqrt(eps mu), a heat flux k * 1 K/mm (theory.md, eq. 68).
 inline std::array<double, n_field_kinds> flux_units(const Material& material, const double theta)
 {
   const double mu = material.shear_modulus(theta);

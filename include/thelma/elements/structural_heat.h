@@ -11,20 +11,25 @@
 namespace thelma
 {
 
-/// Subtract dissipation over theta from h, and let the derivatives of entropy count what flow makes
-/// of the internal variables (theory.md, eq. 42).
-inline void add_flow(const Material& material, const PointState<>& state, const Rates& rates,
-                     EntropyRate& out)
+/// Subtract the rate of what is dissipated over theta from h, and let the derivatives of entropy
+/// count what flow makes of the internal variables (theory.md, eqs. 42, 43).
+inline void add_flow(const Material& material, const PointState<>& state, const CellMemory& memory,
+                     const unsigned int q, const Rates& rates, EntropyRate& out)
 {
-  const FlowHeat flow = material.flow_heat(state);
+  const double *old = memory.accepted(0, q), *older = memory.accepted(1, q);
+  const FlowHeat flow = material.flow_heat(state, old);
+  const double before =
+      rates.n_past > 1 && older ? material.dissipated(older, old).energy : 0.; // the last step
+  const double dissipation =
+      rates.of(0., [&](const std::size_t k) { return -flow.dissipated - (k == 0 ? 0. : before); });
   SecondDerivatives<> without{};
   material.evaluate(state, without);
-  const double theta = state.theta;
-  out.h -= flow.dissipation / theta;
-  out.d_dF -= flow.dD_dF / theta;
+  const double theta = state.theta, per_time = rates.weights[0];
+  out.h -= dissipation / theta;
+  out.d_dF -= per_time / theta * flow.dD_dF;
   out.d_dFdot += flow.deta_dF + without.dP_dtheta;
-  out.d_dtheta += rates.weights[0] * (flow.deta_dtheta - without.deta_dtheta) -
-                  (flow.dD_dtheta - flow.dissipation / theta) / theta;
+  out.d_dtheta += per_time * (flow.deta_dtheta - without.deta_dtheta) -
+                  (per_time * flow.dD_dtheta - dissipation / theta) / theta;
 }
 
 /// What a point remembered in an accepted state, as the step that has come to its end there.
@@ -35,16 +40,15 @@ inline PointHistory<> accepted_history(const Material& material, const CellMemor
   if (!memory.steps || material.n_history() == 0)
     return {};
   step.resize(material.n_step());
-  material.begin_step({}, (ago == 0 ? memory.old : memory.older) + std::size_t(q) * memory.n,
-                      nullptr, step.data());
+  material.begin_step({}, memory.accepted(ago, q), nullptr, step.data());
   return {step.data()};
 }
 
 /// h at one point; @p past(k) is the state there k + 1 accepted states ago.
 template <typename EnergyTerm, typename Past>
 EntropyRate entropy_rate(const EnergyTerm& term, const Material& material,
-                         const PointState<>& state, const Past& past, const unsigned int q,
-                         const Rates& rates)
+                         const PointState<>& state, const Past& past, const CellMemory& memory,
+                         const unsigned int q, const Rates& rates)
 {
   EntropyRate out;
   if (rates.heat == StructuralHeat::power) {
@@ -72,7 +76,7 @@ EntropyRate entropy_rate(const EnergyTerm& term, const Material& material,
                  (d.deta_dtheta - (EnergyTerm::conducts ? material.thermal.c / state.theta : 0.));
   if constexpr (EnergyTerm::conducts)
     if (!state.history.is_relaxed() && material.n_history() > 0)
-      add_flow(material, state, rates, out);
+      add_flow(material, state, memory, q, rates, out);
   return out;
 }
 
@@ -103,7 +107,8 @@ void add_structural_heat(const CellPoints<dim>& points, const CellView<dim>& vie
     }
     const EntropyRate rate = entropy_rate(
         term, *view.cell.material, state,
-        [&](const std::size_t k) -> const PointState<>& { return before[k]; }, q, rates);
+        [&](const std::size_t k) -> const PointState<>& { return before[k]; }, view.memory, q,
+        rates);
     N[q] = gradients.N;
     if (!with_tangent) {
       for (unsigned int a = 0; a < n_nodes; ++a)

@@ -85,17 +85,22 @@ public:
     });
   }
 
-  /// What they dissipate, over theta/theta_0, in MPa/s.
+  /// theta_0 times what they dissipate over a step since a point remembered @p before; likewise
+  /// between two states of which it remembers @p before and @p now.
   template <typename Number>
-  Number dissipation(const Tensor3<2, Number>& F, const Number& J, const Number& theta,
-                     const PointHistory<Given<Number>>& history) const
+  Dissipated<Number> dissipated(const Tensor3<2, Number>& F, const Number& J, const Number& theta,
+                                const PointHistory<Given<Number>>& history,
+                                const double* before) const
   {
-    Number sum = 0.;
+    Dissipated<Number> sum;
+    const double* of_branch = before + StrainHistory::n;
     while_flowing(F, J, history, [&](const auto& branch, const auto& strain, const auto* step) {
-      sum += branch.dissipation(F, strain, theta, step);
+      branch.add_dissipated({before, of_branch}, branch.flowed(strain, theta, step), sum);
+      of_branch += branch.n_history;
     });
     return sum;
   }
+  Dissipated<> dissipated(const double* before, const double* now) const;
 
 private:
   /// Unless all has relaxed, call @p visit(law, C_iso at F, numbers of its step) for every branch.

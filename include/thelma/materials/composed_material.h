@@ -91,19 +91,23 @@ public:
     branches.add_first(em.F, em.kin, state.theta, state.history, em.d);
     const double theta = state.theta;
     const double entropy = thermal.coupling_entropy(theta, first_derivatives(state).eta);
-    const double D = dissipation(state);
-    return {theta / thermal.theta_0 * em.d.W,
-            -dielectric.psi(state, kin),
-            thermal.coupling_psi(theta) + theta * entropy,
-            entropy,
-            D,
-            D / theta};
+    return {theta / thermal.theta_0 * em.d.W, -dielectric.psi(state, kin),
+            thermal.coupling_psi(theta) + theta * entropy, entropy};
   }
 
-  FlowHeat flow_heat(const PointState<>& state) const override
+  Dissipated<> dissipated(const double* before, const double* now) const override
+  {
+    const Dissipated<> sum = branches.dissipated(before, now);
+    return {sum.energy / thermal.theta_0, sum.entropy / thermal.theta_0};
+  }
+
+  FlowHeat flow_heat(const PointState<>& state, const double* before) const override
   {
     const PointState<OfStrain> varied = of_strain(state);
-    return thelma::flow_heat(first_derivatives(varied).eta, dissipation(varied));
+    const Strain<OfStrain> em(thermal, varied, Kinematics<OfStrain>(varied.F).J);
+    const Dissipated<OfStrain> sum =
+        branches.dissipated(em.F, em.J, varied.theta, varied.history, before);
+    return thelma::flow_heat(first_derivatives(varied).eta, sum.energy / thermal.theta_0);
   }
 
   void evaluate(const PointState<>& state, FirstDerivatives<>& out) const override
@@ -161,14 +165,6 @@ public:
   double permittivity(const double theta) const override { return dielectric.permittivity(theta); }
 
 private:
-  template <typename Number>
-  Number dissipation(const PointState<Number>& state) const
-  {
-    const Strain<Number> em(thermal, state, Kinematics<Number>(state.F).J);
-    return state.theta / thermal.theta_0 *
-           branches.dissipation(em.F, em.J, state.theta, state.history);
-  }
-
   /// The electro-mechanical part of the deformation.
   template <typename Number>
   struct Strain {

@@ -6,10 +6,17 @@
 namespace thelma
 {
 
-/// Entropy in MPa/K and dissipation in MPa/s at the end of a step over which internal variables
-/// flow, and their derivatives with what the flow makes of them.
+/// What flow dissipates over a step, per reference volume (theory.md, eq. 43).
+template <typename Number = double>
+struct Dissipated {
+  Number energy = 0.;  ///< MPa
+  Number entropy = 0.; ///< the same over the temperature, MPa/K
+};
+
+/// Entropy in MPa/K at the end of a step over which internal variables flow, the energy in MPa that
+/// the step dissipates, and their derivatives with what the flow makes of the internal variables.
 struct FlowHeat {
-  double eta = 0., dissipation = 0.;
+  double eta = 0., dissipated = 0.;
   Tensor3<2> deta_dF, dD_dF;
   double deta_dtheta = 0., dD_dtheta = 0.;
 };
@@ -31,18 +38,18 @@ inline PointState<OfStrain> of_strain(const PointState<>& state)
   return result;
 }
 
-inline FlowHeat flow_heat(const OfStrain& eta, const OfStrain& dissipation)
+inline FlowHeat flow_heat(const OfStrain& eta, const OfStrain& dissipated)
 {
   FlowHeat heat;
   heat.eta = eta.val();
-  heat.dissipation = dissipation.val();
+  heat.dissipated = dissipated.val();
   for (int i = 0; i < 3; ++i)
     for (int J = 0; J < 3; ++J) {
       heat.deta_dF[i][J] = eta.dx(3 * i + J);
-      heat.dD_dF[i][J] = dissipation.dx(3 * i + J);
+      heat.dD_dF[i][J] = dissipated.dx(3 * i + J);
     }
   heat.deta_dtheta = eta.dx(9);
-  heat.dD_dtheta = dissipation.dx(9);
+  heat.dD_dtheta = dissipated.dx(9);
   return heat;
 }
 

@@ -21,7 +21,6 @@ struct Energies {
   double electric = 0.; ///< stored field energy, D.E/2 for a linear dielectric
   double thermal = 0.;  ///< psi_t + theta eta without the part of the heat capacity
   double entropy = 0.;  ///< eta without the part of the heat capacity, MPa/K
-  double dissipation = 0., production = 0.; ///< of flow: MPa/s, and over the temperature MPa/(K s)
 
   /// Add @p w times @p other.
   void add(const double w, const Energies& other)
@@ -30,8 +29,6 @@ struct Energies {
     electric += w * other.electric;
     thermal += w * other.thermal;
     entropy += w * other.entropy;
-    dissipation += w * other.dissipation;
-    production += w * other.production;
   }
 };
 
@@ -71,8 +68,10 @@ public:
   virtual double branch_modulus(double theta) const = 0;
   virtual std::string branch_defect(double theta) const = 0;
 
-  /// At the end of a step to @p state.
-  virtual FlowHeat flow_heat(const PointState<>& state) const = 0;
+  /// What flow dissipates over a step: between two states of which a point remembers @p before and
+  /// @p now; and with its derivatives over a step that ends at @p state.
+  virtual Dissipated<> dissipated(const double* before, const double* now) const = 0;
+  virtual FlowHeat flow_heat(const PointState<>& state, const double* before) const = 0;
 
   /// How many numbers a point remembers, and how many describe a step (PointHistory).
   virtual unsigned int n_history() const = 0;

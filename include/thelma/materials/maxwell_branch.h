@@ -1,5 +1,6 @@
 #pragma once
 
+#include <thelma/materials/flow_heat.h>
 #include <thelma/materials/maxwell_step.h>
 #include <thelma/materials/relaxation_time.h>
 #include <thelma/materials/strain_history.h>
@@ -124,16 +125,48 @@ public:
         }
   }
 
-  /// What flow dissipates at the end of the step, over theta/theta_0: G/(2 tau) |dev B|^2, MPa/s.
+  /// A state of the branch.
+  template <typename Number = double>
+  struct Flowed {
+    Flowed(const Tensor3<2, Number>& C_iso, const Tensor3<2, Number>& C_v_inverse,
+           const Number& theta)
+        : C_iso(C_iso), theta(theta), I(contract(C_iso, C_v_inverse)),
+          S(C_v_inverse - I / 3. * dealii::invert(C_iso))
+    {
+    }
+
+    /// Of what a point remembers: its strain and temperature, and C_v.
+    Flowed(const double* point, const double* own)
+        : Flowed(symmetric(point), dealii::invert(symmetric(own)), point[n_symmetric])
+    {
+    }
+
+    Tensor3<2, Number> C_iso;
+    Number theta, I;      ///< I = C_iso : C_v^{-1}
+    Tensor3<2, Number> S; ///< stress over G, without what no isochoric strain feels
+  };
+
+  /// At the end of a step.
   template <typename Number>
-  Number dissipation(const Tensor3<2, Number>& F, const IsochoricStrain<Number>& strain,
-                     const Number& theta, const Given<Number>* step) const
+  Flowed<Number> flowed(const IsochoricStrain<Number>& strain, const Number& theta,
+                        const Given<Number>* step) const
   {
-    const Stress<Number> stress(Flow<Number>(strain, step), strain, F);
-    Tensor3<2, Number> deviator = stress.B; // keeps what is small beside B
-    for (unsigned int i = 0; i < 3; ++i)
-      deviator[i][i] -= stress.m;
-    return G.value(theta) / (2. * tau.value(theta)) * contract(deviator, deviator);
+    const Flow<Number> end(strain, step);
+    return {strain.C, end.c * end.N_inverse, theta};
+  }
+
+  /// Add theta_0 times what is dissipated between two states (theory.md, eq. 43).
+  template <typename Number>
+  void add_dissipated(const Flowed<>& start, const Flowed<Number>& end,
+                      Dissipated<Number>& sum) const
+  {
+    const Tensor3<2, Number> way = end.C_iso - Tensor3<2, Number>(start.C_iso);
+    const Number lost = start.I - end.I,
+                 early = G.value(start.theta) / 4. *
+                         (lost + contract(Tensor3<2, Number>(start.S), way)),
+                 late = G.value(end.theta) / 4. * (lost + contract(end.S, way));
+    sum.energy += start.theta * early + end.theta * late;
+    sum.entropy += early + late;
   }
 
   /// C_v at the end of the step; at the strain itself where it has relaxed (@p step is null).

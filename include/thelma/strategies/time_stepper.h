@@ -60,9 +60,13 @@ public:
   void cut_back();
 
   bool finished() const { return time >= end; }
+
+  /// Whether no shorter step is worth a try: without a state one as short as no time, with an
+  /// error as long as the time has digits.
   bool exhausted() const
   {
-    return size < std::max(std::min(instant * end, 1e-3 * initial), 1e-12 * time);
+    const double shortest = has_failed ? std::min(instant * end, 1e-3 * initial) : 1e-15 * end;
+    return size < std::max(shortest, 1e-12 * time);
   }
   double step() const { return size; }
   double final_time() const { return end; }
@@ -88,6 +92,7 @@ private:
   std::vector<double> wanted_stops;
 
   double time = 0., trial = 0., size = 0.;
+  bool has_failed = false; ///< to find a state at the time that was tried last
   std::vector<double> stops;
 };
 

@@ -106,6 +106,7 @@ private:
     Energies stored, walls; ///< of the body, of the nodes of its walls
     HeatInflow inflow;
     double time, theta, production; ///< s, K, mW/K
+    Dissipated<> dissipated;        ///< since the state before, in mJ and mJ/K
   };
 
   /// Potential in kV and charge in uC of every electrode.
@@ -153,21 +154,23 @@ private:
       walls = scene.storage.stored_in_walls(scene.state, theta_0);
     }
     const BlockVector& reactions = scene.system.reactions();
-    std::vector<double> parts{own.elastic,   own.electric,    own.thermal,
-                              own.entropy,   own.dissipation, own.production,
-                              walls.thermal, walls.entropy,   production(scene)};
+    std::vector<double> parts{own.elastic,   own.electric,  own.thermal,      own.entropy,
+                              walls.thermal, walls.entropy, production(scene)};
+    const Dissipated<> flow = dissipated(scene);
+    parts.insert(parts.end(), {flow.energy, flow.entropy});
     for (const Electrode& electrode : scene.conditions.electrodes())
       parts.push_back(-electrode.own_sum(reactions));
     for (std::size_t i = 0; i < scene.loads.size(); ++i)
       parts.push_back(scene.loads[i].work_per_level(reactions));
     std::vector<double> total(parts.size());
     dealii::Utilities::MPI::sum(parts, scene.layout.communicator(), total);
-    Stock now{{{total[0], total[1], total[2], total[3], total[4], total[5]},
-               {0., 0., total[6], total[7]},
+    Stock now{{{total[0], total[1], total[2], total[3]},
+               {0., 0., total[4], total[5]},
                scene.state.inflow,
                scene.state.time,
                scene.state.theta,
-               total[8] + total[5]},
+               total[6],
+               {total[7], total[8]}},
               {},
               {scene.loads.levels(), {}}};
     std::size_t k = 9;
@@ -212,8 +215,9 @@ private:
                  dt * (early * past.inflow.heat + late * now.inflow.heat);
     sums.entropy += now.walls.entropy - past.walls.entropy +
                     dt * (early * past.inflow.entropy + late * now.inflow.entropy);
-    sums.produced += dt * (early * past.production + late * now.production);
-    sums.dissipated += dt * (early * past.stored.dissipation + late * now.stored.dissipation);
+    sums.produced +=
+        dt * (early * past.production + late * now.production) + now.dissipated.entropy;
+    sums.dissipated += now.dissipated.energy;
   }
 
   struct Trapezium {
@@ -230,16 +234,29 @@ private:
   /// A body whose temperature is prescribed takes theta d(eta) but for what it dissipates itself.
   void add_heat_of_bath(const Numbers& now)
   {
-    const auto [dt, early, late] = trapezium(now);
-    const double dissipated =
-        dt * (early * sums.past.stored.dissipation + late * now.stored.dissipation);
-    const double produced =
-        dt * (early * sums.past.stored.production + late * now.stored.production);
-    const double inflow = now.stored.entropy - sums.past.stored.entropy - produced;
-    sums.heat += 0.5 * (sums.past.theta + now.theta) * (inflow + produced) - dissipated;
-    sums.entropy += inflow;
-    sums.produced += produced;
-    sums.dissipated += dissipated;
+    const double gained = now.stored.entropy - sums.past.stored.entropy;
+    sums.heat += 0.5 * (sums.past.theta + now.theta) * gained - now.dissipated.energy;
+    sums.entropy += gained - now.dissipated.entropy;
+    sums.produced += now.dissipated.entropy;
+    sums.dissipated += now.dissipated.energy;
+  }
+
+  /// By flow over the step to the state, which is the last accepted one, in the own cells.
+  Dissipated<> dissipated(const ObservableInput<dim>& scene) const
+  {
+    Dissipated<> sum;
+    scene.system.cells.for_each([&](const CellView<dim>& view) {
+      if (view.memory.older == nullptr)
+        return;
+      const PointGeometry<dim>* points = rule->of_cell(view.index);
+      for (unsigned int q = 0; q < rule->basis().n_points; ++q) {
+        const Dissipated<> own =
+            view.cell.material->dissipated(view.memory.accepted(1, q), view.memory.accepted(0, q));
+        sum.energy += points[q].JxW * own.energy;
+        sum.entropy += points[q].JxW * own.entropy;
+      }
+    });
+    return sum;
   }
 
   /// -Q . Grad theta / theta^2 over the own cells.

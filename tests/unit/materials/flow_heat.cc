@@ -8,26 +8,81 @@ namespace
 
 using namespace material_tests;
 
-/// At a strain that is kept, what is stored less becomes heat.
+constexpr double theta = 293.; // K, at which a Memory stands
+
+/// At a strain that is kept, what is stored less becomes heat, however long the step.
 TEST(FlowHeat, IsWhatIsNoLongerStored)
 {
   const auto material = viscous();
   RandomStates random;
-  constexpr double dt = 1e-5 * relaxation;
   for (unsigned int n = 0; n < 200; ++n) {
     Memory memory(*material);
     memory.step(random.deformation(), random.uniform(0.1, 3.) * relaxation);
     const Tensor3<2> F = random.deformation();
     memory.step(F, 0.);
-    const PointState<> before = memory.state(F, 0.);
-    const Energies stored = material->energies(before);
-    const double dissipation = material->flow_heat(before).dissipation;
-    EXPECT_NEAR(dissipation, stored.dissipation,
-                1e-12 * dissipation); // other types round otherwise
-    EXPECT_GE(dissipation, 0.);
-    memory.step(F, dt);
-    const double lost = stored.elastic - material->energies(memory.state(F, 0.)).elastic;
-    EXPECT_NEAR(lost / dt, dissipation, 2e-4 * dissipation);
+    for (const double dt : {1e-5, 1e-2, 1e3}) {
+      const double stored = material->energies(memory.state(F, 0.)).elastic;
+      const PointState<> end = memory.state(F, dt * relaxation);
+      const FlowHeat heat = material->flow_heat(end, memory.now());
+      memory.accept(end);
+      const double lost = stored - material->energies(memory.state(F, 0.)).elastic;
+      EXPECT_GE(heat.dissipated, 0.);
+      EXPECT_NEAR(lost, heat.dissipated, 1e-12 * stored);
+      const Dissipated<> again = material->dissipated(memory.before(), memory.now());
+      EXPECT_NEAR(heat.dissipated, again.energy, 1e-12 * stored); // other types round otherwise
+      EXPECT_NEAR(theta * again.entropy, again.energy, 1e-14 * stored);
+    }
+  }
+}
+
+/// Steps many times as long as the relaxation time follow the strain; the dissipation is then that
+/// of a viscous fluid, D = G/(2 tau) |dev b|^2 with b = 1 + tau dC_iso/dt: no rule may drown it.
+TEST(FlowHeat, IsThatOfAFluidInLongSteps)
+{
+  const auto material = viscous();
+  RandomStates random;
+  for (unsigned int n = 0; n < 50; ++n) {
+    const Tensor3<2> start = random.deformation(), way = random.deformation();
+    Memory memory(*material);
+    constexpr double dt = 100. * relaxation, part = 0.01; // of the way in a step
+    memory.step(start, std::numeric_limits<double>::infinity());
+    double sum = 0., known = 0.;
+    for (unsigned int k = 1; k <= 3; ++k) {
+      memory.step(start + k * part * way, dt);
+      sum = material->dissipated(memory.before(), memory.now()).energy;
+      const Tensor3<2> C = symmetric(memory.now()),
+                       rate = 1. / dt * (C - symmetric(memory.before())),
+                       b = relaxation * rate * dealii::invert(C);
+      known = modulus / (2. * relaxation) * dt *
+              (contract(Tensor3<2>(dealii::transpose(b)), b) - std::pow(dealii::trace(b), 2) / 3.);
+    }
+    EXPECT_NEAR(sum, known, 0.1 * known);
+  }
+}
+
+/// The sum over a history is of second order.
+TEST(FlowHeat, ConvergesToTheIntegral)
+{
+  const auto material = viscous();
+  RandomStates random;
+  WorstErrors errors;
+  for (unsigned int n = 0; n < 10; ++n) {
+    const Tensor3<2> way = 0.3 * random.deformation();
+    const auto path = [&](const double t) {
+      return Tensor3<2>(dealii::unit_symmetric_tensor<3>()) + std::sin(t) * way;
+    };
+    const auto sum = [&](const unsigned int n_steps) {
+      Memory memory(*material);
+      double dissipated = 0.;
+      for (unsigned int k = 1; k <= n_steps; ++k) {
+        memory.step(path(3. * k / n_steps), 3. / n_steps);
+        dissipated += material->dissipated(memory.before(), memory.now()).energy;
+      }
+      return dissipated;
+    };
+    const double fine = sum(3200);
+    const double ratio = (sum(40) - fine) / (sum(80) - fine);
+    EXPECT_NEAR(std::log2(ratio), 2., 0.2);
   }
 }
 
@@ -44,19 +99,21 @@ TEST(FlowHeat, HasItsDerivatives)
   WorstErrors errors;
   for (unsigned int n = 0; n < 200; ++n) {
     const PointState<> state = random.next(*material);
+    const double* old = random.remembered();
     const Tensor3<2> direction = random.deformation();
-    const FlowHeat heat = material->flow_heat(state);
+    const FlowHeat heat = material->flow_heat(state, old);
     EXPECT_NEAR(heat.eta, material->first_derivatives(state).eta, 1e-15);
-    double along[2] = {0., 0.}, over_theta[2] = {0., 0.}; // of eta, dissipation
+    double along[2] = {0., 0.}, over_theta[2] = {0., 0.}; // of eta, what is dissipated
     for (const double side : {1., -1.}) {
       PointState<> there = state, hotter = state;
       there.F += side * h * direction;
       hotter.theta += side * h * state.theta;
-      const FlowHeat moved = material->flow_heat(there), heated = material->flow_heat(hotter);
+      const FlowHeat moved = material->flow_heat(there, old),
+                     heated = material->flow_heat(hotter, old);
       along[0] += side * moved.eta / (2. * h);
-      along[1] += side * moved.dissipation / (2. * h);
+      along[1] += side * moved.dissipated / (2. * h);
       over_theta[0] += side * heated.eta / (2. * h * state.theta);
-      over_theta[1] += side * heated.dissipation / (2. * h * state.theta);
+      over_theta[1] += side * heated.dissipated / (2. * h * state.theta);
     }
     const double size = heat.deta_dF.norm() * direction.norm(),
                  of_dissipation = heat.dD_dF.norm() * direction.norm() + 1e-12;

@@ -79,7 +79,11 @@ public:
     return error;
   }
 
-  Tensor3<2> C_v() const { return symmetric(old.data() + StrainHistory::n); }
+  /// The numbers remembered of the last state and, unless it is the first, of the one before.
+  const double* now() const { return old.data(); }
+  const double* before() const { return older.data(); }
+
+  Tensor3<2> C_v() const { return symmetric(now() + StrainHistory::n); }
 
 private:
   const Material& material;

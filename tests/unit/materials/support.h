@@ -156,7 +156,7 @@ public:
   {
     if (material.n_history() == 0)
       return {};
-    std::vector<double> relaxed(material.n_history());
+    relaxed.resize(material.n_history());
     PointState<> before;
     before.F = deformation();
     before.theta = uniform(250., 400.);
@@ -167,8 +167,11 @@ public:
     return {steps.back().data()};
   }
 
+  /// What the state that was made last has remembered since it relaxed.
+  const double* remembered() const { return relaxed.data(); }
+
   /// 250 to 400 K and |E| up to twice the nominal field 0.687 sqrt(mu/eps) at which a free planar
-  /// film pulls in (theory.md, eq. 44).
+  /// film pulls in (theory.md, eq. 45).
   PointState<> next(const Material& material)
   {
     PointState<> state;
@@ -183,6 +186,7 @@ public:
 
 private:
   std::mt19937 engine{20240229};
+  std::vector<double> relaxed;
   std::list<std::vector<double>> steps; ///< of all states, which refer to them
 };
 
