@@ -37,12 +37,11 @@ double ghost_share(const DofLayout<dim>& layout)
          dealii::Utilities::MPI::min_max_avg(own, comm).avg;
 }
 
-#define INSTANTIATE(dim)                                                                           \
-  template std::map<std::string, double> imbalance(                                                \
-      const DofLayout<dim>&, const dealii::TrilinosWrappers::BlockSparseMatrix&);                  \
-  template double ghost_share(const DofLayout<dim>&);
-INSTANTIATE(2)
-INSTANTIATE(3)
-#undef INSTANTIATE
+template std::map<std::string, double>
+imbalance(const DofLayout<2>&, const dealii::TrilinosWrappers::BlockSparseMatrix&);
+template std::map<std::string, double>
+imbalance(const DofLayout<3>&, const dealii::TrilinosWrappers::BlockSparseMatrix&);
+template double ghost_share(const DofLayout<2>&);
+template double ghost_share(const DofLayout<3>&);
 
 } // namespace thelma

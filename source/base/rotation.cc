@@ -1,5 +1,6 @@
 #include <thelma/base/rotation.h>
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/point.h>
 #include <deal.II/physics/elasticity/standard_tensors.h>
 #include <deal.II/physics/transformations.h>
@@ -30,6 +31,17 @@ dealii::Tensor<1, 3> rotation_vector(const dealii::Tensor<2, 3>& R)
     axis[i] = R[(i + 2) % 3][(i + 1) % 3] - R[(i + 1) % 3][(i + 2) % 3];
   const double sine = axis.norm() / 2., cosine = (dealii::trace(R) - 1.) / 2.;
   return sine > 0. ? std::atan2(sine, cosine) / (2. * sine) * axis : axis;
+}
+
+dealii::Tensor<1, 3> rotation_near(const dealii::Tensor<2, 3>& R,
+                                   const dealii::Tensor<1, 3>& expected)
+{
+  const dealii::Tensor<1, 3> turn = rotation_vector(R);
+  const double angle = turn.norm();
+  if (angle == 0.)
+    return turn;
+  const double whole = 2. * dealii::numbers::PI;
+  return turn + std::round((expected - turn) * turn / (angle * whole)) * whole / angle * turn;
 }
 
 dealii::Tensor<2, 3> rotation(const dealii::Tensor<1, 3>& vector)

@@ -95,13 +95,6 @@ void PressureDilatation<dim>::use(const DofLayout<dim>& layout, const unsigned i
 }
 
 template <int dim>
-unsigned int PressureDilatation<dim>::n_elimination() const
-{
-  const unsigned int n = modes->size();
-  return n * n + 1 + (dim + (has_temperature ? 2 : 0)) * modes->block_size();
-}
-
-template <int dim>
 void PressureDilatation<dim>::initialise_internal(const Material& material, const double theta,
                                                   double* values) const
 {
@@ -155,14 +148,14 @@ void PressureDilatation<dim>::tangent(const CellView<dim>& view, CellResult& res
   with_points(view, [&](const CellPoints<dim>& points, const CellPoints<dim>& own) {
     const Local local(*this, view, own);
     integrate_energy(view, points, own, local, true, result);
-    add_condensed(view, own, local, result);
+    elimination().condense(view, own, local.H, local.dp_dtheta.data(), local.stabilisation, result);
     add_heat(view, own, true, result);
   });
   result.blocks.write(result.tangent);
 }
 
 /// The largest need of its points. Not quite the whole bulk modulus, so that the answer of the mean
-/// pressure (S of Kept) stays positive.
+/// pressure (S of PressureElimination) stays positive.
 template <int dim>
 double PressureDilatation<dim>::stabilisation(const CellView<dim>& view) const
 {
@@ -233,46 +226,43 @@ void PressureDilatation<dim>::integrate_energy(const CellView<dim>& view,
   integrate(own, view, GivenPressure<false>{p, 0.}, with_tangent, result);
 }
 
-/// The pressure answers to B dx by S = M H M and to dR_t/dtheta by M.
+/// Add theta h of the volumetric energy, which sees the cell's own dilatation.
 template <int dim>
-void PressureDilatation<dim>::add_condensed(const CellView<dim>& view,
-                                            const CellPoints<dim>& points, const Local& local,
-                                            CellResult& result) const
+void PressureDilatation<dim>::add_heat(const CellView<dim>& view, const CellPoints<dim>& points,
+                                       const bool with_tangent, CellResult& result) const
 {
-  const unsigned int n_modes = modes->size();
-  const std::size_t block_size = modes->block_size();
-  const ModeMatrix& M = modes->mass_inverse(view.index);
-  result.elimination.assign(n_elimination(), 0.);
-  const Kept<double> kept(n_modes, result.elimination.data());
-  double *S = kept.S, *B = kept.B;
-  for (unsigned int i = 0; i < n_modes; ++i)
-    for (unsigned int j = 0; j < n_modes; ++j) {
-      S[i * n_modes + j] = -local.stabilisation * M[i][j];
-      for (unsigned int k = 0; k < n_modes; ++k)
-        for (unsigned int l = 0; l < n_modes; ++l)
-          S[i * n_modes + j] += M[i][k] * local.H[k][l] * M[l][j];
-    }
-  *kept.stabilisation = local.stabilisation;
-
-  for (int c = 0; c < dim; ++c)
-    modes->set_constraint(points, c, B + c * block_size);
-  if (has_temperature)
-    for (unsigned int q = 0; q < points.n_points; ++q)
-      modes->add_rows(q, points.geometry[q].JxW * local.dp_dtheta[q], points.gradients[q].N,
-                      B + dim * block_size);
-
-  if (!view.solves_deformation())
+  if (!view.solves_temperature() || !view.history)
     return;
-  ModeMatrix stiffness{};
-  for (unsigned int i = 0; i < n_modes; ++i)
-    std::copy_n(S + std::size_t(i) * n_modes, n_modes, stiffness[i].begin());
-  if (!view.keeps_pressures)
-    for (int d = 0; d < dim; ++d)
-      modes->add_product(B, 0, view.solves_temperature() ? dim : d + 1, stiffness,
-                         B + d * block_size, d, result.blocks);
-  if (view.solves_temperature())
-    modes->add_product(B, 0, dim, M, B + dim * block_size, view.cell.n_components - 1,
-                       result.blocks);
+  const unsigned int n_nodes = rule().basis().n_nodes;
+  const int n_c = view.cell.n_components, heat = view.cell.component(Field::temperature);
+  const CellHistory& history = *view.history;
+  double* dh_dt = with_tangent ? elimination().heat_rows(result) : nullptr;
+  for (unsigned int q = 0; q < points.n_points; ++q) {
+    const double* N = points.gradients[q].N;
+    const double w = points.geometry[q].JxW, theta = points.theta(q);
+    const auto dilatation = [&](const double* internal) {
+      return modes->combination(modes->at(q), internal + modes->size());
+    };
+    std::array<double, 2> t_past{}, theta_past{};
+    for (std::size_t k = 0; k < history.rates.n_past; ++k) {
+      t_past[k] = dilatation(history.internal[k]);
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        theta_past[k] += N[a] * history.x[k][a * n_c + heat];
+    }
+    const VolumetricEntropyRate rate(view.cell.material->thermal, history.rates,
+                                     dilatation(view.internal), theta, t_past, theta_past);
+    if (!with_tangent) {
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        result.residual[a * n_c + heat] += w * theta * rate.h * N[a];
+      continue;
+    }
+    modes->add_rows(q, w * theta * rate.d_dt, N, dh_dt);
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      for (unsigned int b = 0; b < n_nodes; ++b)
+        result.blocks.entry(heat, heat, a, b) += w * (rate.h + theta * rate.d_dtheta) * N[a] * N[b];
+  }
+  if (with_tangent)
+    elimination().condense_heat(view, result);
 }
 
 template class PressureDilatation<2>;

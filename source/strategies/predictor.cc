@@ -1,12 +1,10 @@
 #include <thelma/base/rotation.h>
-#include <thelma/elements/integrate.h>
+#include <thelma/strategies/path_direction.h>
 #include <thelma/strategies/predictor.h>
-
-#include <deal.II/base/mpi.h>
+#include <thelma/strategies/temperature_weights.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace thelma
 {
@@ -34,14 +32,10 @@ Tensor3<2> rotation_effect(const std::vector<Tensor3<2>>& F, const std::vector<d
 } // namespace
 
 template <int dim>
-void Predictor<dim>::setup(const Formulation<dim>& formulation_, const bool large)
+void Predictor<dim>::setup(const Formulation<dim>& formulation_, const bool is_large)
 {
   formulation = &formulation_;
-  is_large = large;
-  full.emplace(layout, layout.degree() + 1);
-  reduced.emplace(layout, layout.degree());
-  laplacian.reset();
-  moments = layout.new_vector();
+  fit.emplace(layout, conditions, is_large);
   guess = layout.new_vector();
 }
 
@@ -73,12 +67,24 @@ double Predictor<dim>::extrapolate(Supports path, const double place, const Pari
       load += even[k] * path.states[k].load;
     combine(path.states, even,
             parity == Parity::even ? weights(path.places, place, Parity::odd) : even);
-    if (path.states.size() <= 2 || place <= path.places.back() || goes_on(path, load, metric) ||
-        deforms_on(path, place))
+    if (path.states.size() <= 2 || place <= path.places.back() ||
+        !turns_back(path, place, load, metric))
       return load;
     path.places.erase(path.places.begin());
     path.states.erase(path.states.begin());
   }
+}
+
+/// Whether the guess at @p place, at @p load, goes elsewhere than the last step went.
+template <int dim>
+bool Predictor<dim>::turns_back(const Supports& path, const double place, const double load,
+                                const PathMetric* metric) const
+{
+  const std::size_t n = path.places.size();
+  const State::Accepted &before = path.states[n - 2], &last = path.states[n - 1];
+  const double ratio = (place - path.places[n - 1]) / (path.places[n - 1] - path.places[n - 2]);
+  return !goes_on(before, last, guess, load, metric) &&
+         !deforms_on(layout, fit->points(), {{&before.x, &last.x, &guess}}, ratio);
 }
 
 template <int dim>
@@ -117,54 +123,11 @@ void Predictor<dim>::combine(const std::vector<State::Accepted>& path,
       state.x.block(b).add(potential ? odd[k] : even[k], path[k].x.block(b));
   }
   if (path.size() > 1)
-    follow_rotation(path, even);
+    fit->add([&](const std::vector<Tensor3<2>>& F) { return rotation_effect(F, even); }, path,
+             state.x);
   state.x.update_ghost_values();
   follow_cells(path, even);
   guess = state.x;
-}
-
-template <int dim>
-void Predictor<dim>::follow_rotation(const std::vector<State::Accepted>& path,
-                                     const std::vector<double>& weights)
-{
-  constexpr double negligible = 1e-5; // root mean square of the effect
-  std::vector<std::vector<double>> x(path.size());
-  std::vector<Tensor3<2>> F(path.size());
-  std::vector<double> values, size{0., 0.}, sum(2);
-  moments = 0.;
-  for (std::size_t index = 0; index < layout.cells().size(); ++index) {
-    const Cell<dim>& cell = layout.cells()[index];
-    for (std::size_t k = 0; k < path.size(); ++k)
-      layout.gather(cell, path[k].x, x[k]);
-    values.assign(cell.dofs.size(), 0.);
-    for (unsigned int q = 0; q < reduced->basis().n_points; ++q) {
-      const auto& point = reduced->of_cell(index)[q];
-      const Gradients<dim> gradients(reduced->basis(), q, point);
-      for (std::size_t k = 0; k < path.size(); ++k)
-        F[k] = point_state(CellView<dim>{index, cell, x[k].data(), nullptr, state.theta,
-                                         layout.has(Field::temperature)},
-                           gradients)
-                   .F;
-      const Tensor3<2> H = rotation_effect(F, weights);
-      size[0] += point.JxW * H.norm_square();
-      size[1] += point.JxW;
-      for (unsigned int a = 0; a < gradients.n_nodes; ++a)
-        for (int i = 0; i < dim; ++i)
-          for (int J = 0; J < dim; ++J)
-            values[a * cell.n_components + i] +=
-                point.JxW * H[axis<dim>(i)][axis<dim>(J)] * gradients.g[J][a];
-    }
-    layout.scatter(cell, values, moments);
-  }
-  moments.compress(dealii::VectorOperation::add);
-  dealii::Utilities::MPI::sum(size, layout.communicator(), sum);
-  if (sum[0] < negligible * negligible * sum[1])
-    return;
-  if (!laplacian)
-    make_laplacian();
-  conditions.constraints().set_zero(moments);
-  laplacian->solve(moments);
-  state.x.block(0) += moments.block(0);
 }
 
 /// The internal unknowns, as seen from the cells at the guess.
@@ -193,6 +156,19 @@ void Predictor<dim>::follow_cells(const std::vector<State::Accepted>& path,
     }
     formulation->push_forward(view(state.x), guessed);
   }
+}
+
+template <int dim>
+void Predictor<dim>::follow_temperature()
+{
+  const std::size_t known = std::min<std::size_t>(state.path().size(), order + 1);
+  const std::vector<State::Accepted> path(state.path().end() - known, state.path().end());
+  const unsigned int b = layout.block(Field::temperature);
+  const auto theta = state.x.block(b);
+  const std::vector<double> weights = temperature_weights(path, theta, b);
+  combine(path, weights, weights);
+  state.x.block(b) = theta;
+  state.x.update_ghost_values();
 }
 
 template <int dim>

@@ -54,6 +54,14 @@ PointState<> point_state(const CellView<dim>& view, const Gradients<dim>& gradie
   return point_input(view, x, gradients).state;
 }
 
+/// The deformation gradient alone, which depends on nothing but the nodal values @p x.
+template <int dim>
+Tensor3<2> deformation_gradient(const Cell<dim>& cell, const double* x,
+                                const Gradients<dim>& gradients)
+{
+  return point_state(CellView<dim>{0, cell, x, nullptr, 0., false}, gradients).F;
+}
+
 /// Everything the formulations need to know of the points of one rule in a cell.
 template <int dim>
 struct CellPoints {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <thelma/elements/dilatation_modes.h>
 #include <thelma/elements/integrate.h>
+#include <thelma/elements/pressure_elimination.h>
 
 #include <optional>
 
@@ -14,25 +14,32 @@ namespace thelma
 /// p and t are iterates of Newton's method and condensed from each linear system only, so that the
 /// volumetric energy never meets a displacement that is not yet in balance (eq. (20)).
 ///
-/// Internal unknowns: p, then t. What elimination keeps of a tangent: S = M H M, then B, the
-/// derivative of R_p by each displacement component; with a temperature field also of R_t by the
-/// temperature and of the heat balance by t.
+/// Internal unknowns: p, then t, condensed by PressureElimination.
 template <int dim>
 class PressureDilatation : public Formulation<dim>
 {
 public:
   unsigned int n_internal() const override { return 2 * modes->size(); }
-  unsigned int n_elimination() const override;
+  unsigned int n_elimination() const override { return elimination().n_kept(); }
 
   /// p = 0 and t = J_theta.
   void initialise_internal(const Material& material, double theta, double* values) const override;
 
   void residual(const CellView<dim>& view, CellResult& result) const override;
   void tangent(const CellView<dim>& view, CellResult& result) const override;
-  void eliminate(const Elimination<dim>& cell, double* residual) const override;
-  void recover(const Elimination<dim>& cell, const double* dx, double* correction) const override;
+  void eliminate(const Elimination<dim>& cell, double* residual) const override
+  {
+    elimination().eliminate(cell, residual);
+  }
+  void recover(const Elimination<dim>& cell, const double* dx, double* correction) const override
+  {
+    elimination().recover(cell, dx, correction);
+  }
   unsigned int n_kept_pressures() const override { return modes->size(); }
-  PressureBlock pressures(const Elimination<dim>& cell) const override;
+  PressureBlock pressures(const Elimination<dim>& cell) const override
+  {
+    return elimination().pressures(cell);
+  }
   double pressure(const CellView<dim>& view, const dealii::Point<dim>& xi,
                   const PointState<>& state) const override;
   double stabilisation(const CellView<dim>& view) const override;
@@ -56,27 +63,16 @@ protected:
 private:
   struct Local;
 
-  /// What elimination keeps of a tangent.
-  template <typename Number>
-  struct Kept {
-    Kept(const unsigned int n_modes, Number* start)
-        : S(start), stabilisation(S + std::size_t(n_modes) * n_modes), B(stabilisation + 1)
-    {
-    }
-    Number *S, *stabilisation, *B;
-  };
-
   /// Call @p action with the points of the full rule and those of the volumetric terms.
   template <typename Action>
   void with_points(const CellView<dim>& view, const Action& action) const;
   void integrate_energy(const CellView<dim>& view, const CellPoints<dim>& full,
                         const CellPoints<dim>& volumetric, const Local& local, bool with_tangent,
                         CellResult& result) const;
-  void add_condensed(const CellView<dim>& view, const CellPoints<dim>& points, const Local& local,
-                     CellResult& result) const;
   void add_heat(const CellView<dim>& view, const CellPoints<dim>& points, bool with_tangent,
                 CellResult& result) const;
   const Integration<dim>& rule() const { return reduced ? *reduced : *full; }
+  PressureElimination<dim> elimination() const { return {*modes, rule().basis(), has_temperature}; }
 
   std::optional<Integration<dim>> full, reduced; ///< reduced: empty if it is the full rule
   std::optional<DilatationModes<dim>> modes;     ///< at the points of rule()

@@ -4,10 +4,9 @@
 #include <thelma/fields/boundary_conditions.h>
 #include <thelma/fields/state.h>
 #include <thelma/solvers/continuation.h>
-#include <thelma/solvers/laplacian.h>
+#include <thelma/strategies/gradient_fit.h>
 #include <thelma/strategies/interpolation.h>
 
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -69,8 +68,6 @@ public:
   }
 
 private:
-  using Displacement = PathMetric::Displacement;
-
   /// The accepted states by which a guess is made and where they stand, the newest last.
   struct Supports {
     std::vector<double> places;
@@ -79,19 +76,13 @@ private:
 
   /// As many of the newest states at @p places as serve a guess at @p place.
   Supports supports(const std::vector<double>& places, double place) const;
-  bool goes_on(const Supports& path, double load, const PathMetric* metric) const;
-  bool deforms_on(const Supports& path, double place) const;
   double extrapolate(Supports path, double place, Parity parity, const PathMetric* metric);
-  std::vector<State::Accepted> recent() const;
-  std::vector<double> temperature_weights(const std::vector<State::Accepted>& path) const;
+  bool turns_back(const Supports& path, double place, double load, const PathMetric* metric) const;
 
   /// Write the sum of the states of the @p path: @p even weighs them for all fields that reversing
   /// the load does not reverse, @p odd for the others.
   void combine(const std::vector<State::Accepted>& path, const std::vector<double>& even,
                const std::vector<double>& odd);
-  void make_laplacian();
-  void follow_rotation(const std::vector<State::Accepted>& path,
-                       const std::vector<double>& weights);
   void follow_cells(const std::vector<State::Accepted>& path, const std::vector<double>& weights);
 
   static constexpr unsigned int highest_order = 3;
@@ -100,10 +91,8 @@ private:
   const BoundaryConditions<dim>& conditions;
   State& state;
   const Formulation<dim>* formulation = nullptr;
-  std::optional<Integration<dim>> full, reduced;
-  bool is_large = false;
-  std::unique_ptr<Laplacian> laplacian; ///< of each displacement component; null until needed
-  BlockVector moments, guess;
+  std::optional<GradientFit<dim>> fit;
+  BlockVector guess;
   unsigned int order = highest_order;
 };
 

@@ -1,39 +1,16 @@
-// What a change of temperature foretells of the deformation.
+#include <thelma/strategies/temperature_weights.h>
 
-#include <thelma/strategies/predictor.h>
-
-#include <algorithm>
+#include <utility>
 
 namespace thelma
 {
 
-template <int dim>
-std::vector<State::Accepted> Predictor<dim>::recent() const
-{
-  const std::size_t known = std::min<std::size_t>(state.path().size(), order + 1);
-  return {state.path().end() - known, state.path().end()};
-}
-
-template <int dim>
-void Predictor<dim>::follow_temperature()
-{
-  const std::vector<State::Accepted> path = recent();
-  const unsigned int b = layout.block(Field::temperature);
-  const auto theta = state.x.block(b);
-  const std::vector<double> weights = temperature_weights(path);
-  combine(path, weights, weights);
-  state.x.block(b) = theta;
-  state.x.update_ghost_values();
-}
-
 /// Least squares by Gram and Schmidt, from the newest change of temperature to the oldest; one that
 /// is almost made of the others says nothing.
-template <int dim>
-std::vector<double>
-Predictor<dim>::temperature_weights(const std::vector<State::Accepted>& path) const
+std::vector<double> temperature_weights(const std::vector<State::Accepted>& path,
+                                        const BlockVector::BlockType& theta, const unsigned int b)
 {
   constexpr double negligible = 1e-4;
-  const unsigned int b = layout.block(Field::temperature);
   const std::size_t n = path.size();
   const auto difference = [&](const auto& x, const auto& y) {
     auto d = x;
@@ -41,7 +18,7 @@ Predictor<dim>::temperature_weights(const std::vector<State::Accepted>& path) co
     d.zero_out_ghost_values();
     return d;
   };
-  auto rest = difference(state.x.block(b), path.back().x.block(b));
+  auto rest = difference(theta, path.back().x.block(b));
   std::vector<decltype(rest)> basis;
   std::vector<std::vector<double>> coefficients; // of the states in each vector of the basis
   std::vector<double> weights(n, 0.);
@@ -73,8 +50,5 @@ Predictor<dim>::temperature_weights(const std::vector<State::Accepted>& path) co
   }
   return weights;
 }
-
-template void Predictor<2>::follow_temperature();
-template void Predictor<3>::follow_temperature();
 
 } // namespace thelma
