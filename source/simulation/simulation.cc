@@ -118,7 +118,8 @@ Outcome Simulation<dim>::run()
     for (; phases.remain() && outcome.has_reached_target(); phases.go_on())
       run_phase();
     if (outcome.has_reached_target() && model.loading.expects_pull_in()) {
-      outcome.reason += " but a pull-in was expected";
+      outcome.reason = std::string(model.layout.is_transient() ? "the end of time" : "the target") +
+                       " was reached but a pull-in was expected";
       outcome.code = ExitCode::expectation_failed;
     }
   } catch (const OutOfMemory& error) {

@@ -16,6 +16,8 @@ CASES = [
      ["--set", "Loading/Expected end=target"]),
     ("pull-in that does not come", "planar_actuator", 2, "target reached",
      ["--set", "Loading/Target=0.3", "--set", "Expectations/Final values="]),
+    ("pull-in in time that does not come", "delayed_pull_in", 2, "target reached",
+     ["--set", "Loading/Target=0.6"]),
     ("failed expectation", "planar_actuator", 2, "pull-in",
      ["--set", "Expectations/Final values=e: 0.5"]),
     ("tolerance below rounding", "heated_bending", 3, "no convergence",
