@@ -122,16 +122,23 @@ void MaterialLibrary::check(const double theta)
   if (materials.empty())
     throw InputError("section Regions, entry 'Materials': it is empty or missing; write `set "
                      "Materials = region: material`");
+  check_at(theta);
   for (const auto& [name, entry] : materials) {
-    const std::string at = " at " + as_text(theta) + " K";
-    require_positive(name, "Shear modulus", entry.material->shear_modulus(theta), at);
     try {
       Thermal& thermal = entry.material->thermal;
       thermal.follow(entry.material->shear_modulus(thermal.theta_0));
     } catch (const InputError& error) {
       throw InputError("section Materials/" + name + ", entry 'Bulk modulus': " + error.what());
     }
-    require_positive(name, "Bulk modulus", entry.material->thermal.K, at);
+    require_positive(name, "Bulk modulus", entry.material->thermal.K, "");
+  }
+}
+
+void MaterialLibrary::check_at(const double theta) const
+{
+  const std::string at = " at " + as_text(theta) + " K";
+  for (const auto& [name, entry] : materials) {
+    require_positive(name, "Shear modulus", entry.material->shear_modulus(theta), at);
     if (const std::string wrong = entry.material->branch_defect(theta); !wrong.empty())
       throw InputError("section Materials/" + name + ", entry '" + wrong + "': the value" + at +
                        " must be positive");

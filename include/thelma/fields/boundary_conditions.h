@@ -56,6 +56,9 @@ public:
   /// Unconstrained unknowns of @p field over all ranks.
   dealii::types::global_dof_index n_free(const DofLayout<dim>& layout, Field field) const;
 
+  /// Prescribed temperatures in K.
+  std::vector<double> wall_temperatures() const;
+
 private:
   using Values = std::map<dealii::types::global_dof_index, double>;
 
