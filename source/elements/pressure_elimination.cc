@@ -83,7 +83,8 @@ void PressureElimination<dim>::eliminate(const Elimination<dim>& cell, double* r
   const ModeMatrix& M = modes.mass_inverse(cell.index);
   const Kept<const double> kept(n_modes, cell.kept);
   const double *S = kept.S, *B = kept.B, *R_p = cell.residual, *R_t = R_p + n_modes;
-  const unsigned int stride = basis.stride, n_nodes = basis.n_nodes;
+  const std::size_t stride = basis.stride;
+  const unsigned int n_nodes = basis.n_nodes;
   for (unsigned int i = 0; i < n_modes; ++i) {
     double p = 0.;
     for (unsigned int j = 0; j < n_modes; ++j)
@@ -111,7 +112,8 @@ void PressureElimination<dim>::recover(const Elimination<dim>& cell, const doubl
   const ModeMatrix& M = modes.mass_inverse(cell.index);
   const Kept<const double> kept(n_modes, cell.kept);
   const double *S = kept.S, *B = kept.B;
-  const unsigned int stride = basis.stride, n_nodes = basis.n_nodes;
+  const std::size_t stride = basis.stride;
+  const unsigned int n_nodes = basis.n_nodes;
   const int n_c = cell.n_components;
   Modes R_p{}, R_t{};
   std::copy_n(cell.residual, n_modes, R_p.begin());

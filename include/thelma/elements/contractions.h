@@ -50,7 +50,7 @@ using Register = double __attribute__((vector_size(32), aligned(8), may_alias));
 template <int dim>
 struct NodalValues {
   static constexpr unsigned int width = 4, n_registers = 2; ///< doubles in a register
-  using Components = std::array<double, n_registers * width>;
+  using Components = std::array<double, std::size_t(n_registers) * width>;
 
   NodalValues(const double* x, const unsigned int n_nodes, const unsigned int n_c)
       : n_nodes(n_nodes), n_components(n_c)

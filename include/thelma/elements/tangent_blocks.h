@@ -46,7 +46,9 @@ private:
 
   unsigned int n_nodes = 0, stride = 0, n_components = 0;
   bool symmetric = true;
-  std::array<bool, most_components * most_components> filled{}; ///< blocks, [c * n_components + d]
+
+  /// Which blocks are there, [c * n_components + d].
+  std::array<bool, std::size_t(most_components) * most_components> filled{};
   dealii::AlignedVector<double> values;
 };
 
