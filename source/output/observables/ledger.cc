@@ -61,6 +61,8 @@ public:
       sums = {now.numbers, now.numbers, 0., 0., 0., 0., 0., 0., 0.};
     } else
       add_work(scene, now);
+    sums.produced += now.numbers.dissipated.entropy;
+    sums.dissipated += now.numbers.dissipated.energy;
     if (scene.state.rates && scene.layout.has(Field::temperature))
       add_heat(now.numbers);
     else
@@ -91,9 +93,9 @@ public:
     std::memcpy(static_cast<void*>(&sums), numbers.data(), sizeof(Sums));
     std::size_t k = sizeof(Sums) / sizeof(double);
     has_begun = numbers[k++] != 0.;
-    const std::size_t n_loads = numbers[k++];
+    const auto n_loads = static_cast<std::size_t>(numbers[k++]);
     for (std::vector<double>* of_loads : {&loads.levels, &loads.work}) {
-      of_loads->assign(numbers.begin() + k, numbers.begin() + k + n_loads);
+      of_loads->assign(numbers.data() + k, numbers.data() + k + n_loads);
       k += n_loads;
     }
     for (electrodes.clear(); k < numbers.size(); k += 2)
@@ -176,7 +178,7 @@ private:
     std::size_t k = 9;
     for (const Electrode& electrode : scene.conditions.electrodes())
       now.electrodes.emplace_back(potential(electrode, scene.layout, scene.state.x), total[k++]);
-    now.loads.work.assign(total.begin() + k, total.end());
+    now.loads.work.assign(total.data() + k, total.data() + total.size());
     return now;
   }
 
@@ -215,9 +217,7 @@ private:
                  dt * (early * past.inflow.heat + late * now.inflow.heat);
     sums.entropy += now.walls.entropy - past.walls.entropy +
                     dt * (early * past.inflow.entropy + late * now.inflow.entropy);
-    sums.produced +=
-        dt * (early * past.production + late * now.production) + now.dissipated.entropy;
-    sums.dissipated += now.dissipated.energy;
+    sums.produced += dt * (early * past.production + late * now.production);
   }
 
   struct Trapezium {
@@ -237,14 +237,14 @@ private:
     const double gained = now.stored.entropy - sums.past.stored.entropy;
     sums.heat += 0.5 * (sums.past.theta + now.theta) * gained - now.dissipated.energy;
     sums.entropy += gained - now.dissipated.entropy;
-    sums.produced += now.dissipated.entropy;
-    sums.dissipated += now.dissipated.energy;
   }
 
   /// By flow over the step to the state, which is the last accepted one, in the own cells.
   Dissipated<> dissipated(const ObservableInput<dim>& scene) const
   {
     Dissipated<> sum;
+    if (!counts_flow)
+      return sum;
     scene.system.cells.for_each([&](const CellView<dim>& view) {
       if (view.memory.older == nullptr)
         return;

@@ -92,11 +92,11 @@ private:
   double dt_before = 0.;
 };
 
-/// C_v while F follows a path, by the classical Runge-Kutta method.
+/// C_v while F follows a path, by the classical Runge-Kutta method in n steps.
 template <typename Path>
-Tensor3<2> exact_C_v(const Path& path, const Tensor3<2>& start, const double end)
+Tensor3<2> exact_C_v(const Path& path, const Tensor3<2>& start, const double end,
+                     const unsigned int n = 4000)
 {
-  constexpr unsigned int n = 4000;
   const double h = end / n;
   const auto rate = [&](const double t, const Tensor3<2>& C_v) {
     const Tensor3<2> C = isochoric(Tensor3<2>(dealii::transpose(path(t))));
