@@ -58,9 +58,9 @@ void TimeStepper::start(const std::vector<double>& kinks, const std::vector<doub
   if (is_adaptive)
     stops.insert(stops.end(), bends.begin(), bends.end());
   std::sort(stops.begin(), stops.end());
-  const auto is_near = [&](const double a, const double b) { return b - a < instant * end; };
+  const auto is_near = [&](const double a, const double b) { return b - a < instant(); };
   stops.erase(std::unique(stops.begin(), stops.end(), is_near), stops.end());
-  stops.erase(std::lower_bound(stops.begin(), stops.end(), (1. - instant) * end), stops.end());
+  stops.erase(std::lower_bound(stops.begin(), stops.end(), end - instant()), stops.end());
   stops.push_back(end);
 }
 
@@ -85,13 +85,19 @@ std::string TimeStepper::steps_over(std::vector<double> bends) const
          " s; choose a shorter Time/Initial step, or a Time/Tolerance above 0";
 }
 
-double TimeStepper::next(const bool at_once)
+double TimeStepper::next()
 {
+  is_in_jump = false;
   const double stop = *std::upper_bound(stops.begin(), stops.end(), time);
   const double left = stop - time, n_steps = std::ceil(left / size * (1. - 1e-9));
   trial = n_steps <= 1. ? stop : time + (n_steps <= 2. ? left / 2. : size);
-  if (at_once)
-    trial = std::min(trial, time + instant * end);
+  return trial;
+}
+
+double TimeStepper::next_in_jump(const double until)
+{
+  trial = std::min(next(), until);
+  is_in_jump = true;
   return trial;
 }
 

@@ -44,21 +44,6 @@ bool are_steady(const Loads<dim>& loads, const State& state)
   return true;
 }
 
-/// Whether loads change however short the next step.
-template <int dim>
-bool jump(const Loads<dim>& loads, const State& state, const std::vector<double>& accepted_levels,
-          const double final_time)
-{
-  constexpr double smooth = 1e-6;
-  const std::vector<double> soon =
-      loads.levels_at(state.accepted_load() + TimeStepper::instant * final_time);
-  for (std::size_t i = 0; i < loads.size(); ++i)
-    if (loads[i].is_present() && loads[i].acts_at_once() &&
-        std::abs(soon[i] - accepted_levels[i]) > smooth)
-      return true;
-  return false;
-}
-
 template <int dim>
 std::string coupling_advice(const DofLayout<dim>& layout, const bool is_monolithic)
 {
@@ -117,6 +102,7 @@ void TimeSteps<dim>::start()
   const AmplitudeTimes& times = loads.amplitude_times();
   stepper.start(times.kinks, times.bends);
   longer.reset();
+  jumping.reset();
   parts = 1;
   accepted_levels = loads.levels();
   state.time = 0.;
@@ -127,22 +113,28 @@ void TimeSteps<dim>::start()
 template <int dim>
 void TimeSteps<dim>::prescribe(const double time, const unsigned int part)
 {
-  std::vector<double> levels = loads.levels_at(time);
-  if (part < parts)
-    for (std::size_t i = 0; i < levels.size(); ++i)
-      levels[i] = accepted_levels[i] + double(part) / parts * (levels[i] - accepted_levels[i]);
+  const std::vector<double> levels =
+      jumping ? jumping->levels(time)
+              : levels_between(accepted_levels, loads.levels_at(time), double(part) / parts);
   state.time = time;
   loads.set_levels(levels);
   loads.prescribe(state);
 }
 
+/// Internal variables do not jump with the loads, and strains would seem to grow evenly meanwhile.
+/// So loads that jump rise within an instant, in which nothing flows: how far they may is found as
+/// on any path in time.
 template <int dim>
 StepReport TimeSteps<dim>::advance()
 {
   StepReport step;
-  // Internal variables do not jump with the loads: strains would seem to grow evenly meanwhile.
-  step.load =
-      stepper.next(has_memory && !has_heat() && jump(loads, state, accepted_levels, final_time()));
+  if (jumping && jumping->is_over(state.accepted_load()))
+    jumping.reset();
+  if (!jumping && !has_heat() && (has_memory || parts > 1)) {
+    jumping = jump_ahead(loads, accepted_levels, state.accepted_load(), stepper.instant());
+    parts = 1;
+  }
+  step.load = jumping ? stepper.next_in_jump(jumping->end) : stepper.next();
   state.rates = stepper.scheme().rates(step.load, times_of(state));
   state.rates->heat = structural_heat;
   predictor.predict(step.load, LoadSymmetry::none);
@@ -239,7 +231,7 @@ void TimeSteps<dim>::cut_back(const StepReport& step)
   } else {
     restore();
     stepper.cut_back();
-    if (jump(loads, state, accepted_levels, final_time()))
+    if (!jumping && jump_ahead(loads, accepted_levels, state.accepted_load(), stepper.instant()))
       parts = std::min(2 * parts, most);
     predictor.adapt(std::numeric_limits<double>::infinity());
   }

@@ -22,8 +22,6 @@ struct StepError {
 class TimeStepper
 {
 public:
-  static constexpr double instant = 1e-9; ///< of the end: no time passes in between
-
   void declare(dealii::ParameterHandler& prm);
 
   /// Whether there is a temperature, and internal variables, whose errors have tolerances.
@@ -43,8 +41,9 @@ public:
 
   const TimeScheme& scheme() const { return *chosen; }
 
-  /// Next time to try, in s; @p at_once: as near as a time can be, as loads jump.
-  double next(bool at_once = false);
+  /// Next time to try, in s; within an instant in which loads jump, which lasts @p until a time.
+  double next();
+  double next_in_jump(double until);
 
   /// Whether the @p error of the step over the tolerance is small enough; an unknown one is not.
   bool tolerates(const MaybeError& error) const
@@ -61,15 +60,19 @@ public:
 
   bool finished() const { return time >= end; }
 
-  /// Whether no shorter step is worth a try: without a state one as short as no time, with an
-  /// error as long as the time has digits.
+  /// Whether no shorter step is worth a try: without a state one as short as no time, or as a small
+  /// part of a jump; with an error as long as the time has digits.
   bool exhausted() const
   {
-    const double shortest = has_failed ? std::min(instant * end, 1e-3 * initial) : 1e-15 * end;
+    const double moment = std::min(instant(), 1e-3 * initial);
+    const double shortest = !has_failed ? 1e-15 * end : is_in_jump ? 1e-3 * moment : moment;
     return size < std::max(shortest, 1e-12 * time);
   }
   double step() const { return size; }
   double final_time() const { return end; }
+
+  /// So short a time in s that nothing flows.
+  double instant() const { return 1e-9 * end; }
 
   /// How far it has come.
   template <class Archive>
@@ -93,6 +96,7 @@ private:
 
   double time = 0., trial = 0., size = 0.;
   bool has_failed = false; ///< to find a state at the time that was tried last
+  bool is_in_jump = false; ///< that time
   std::vector<double> stops;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <thelma/strategies/equilibrium.h>
+#include <thelma/strategies/load_jump.h>
 #include <thelma/strategies/predictor.h>
 #include <thelma/strategies/strategy.h>
 #include <thelma/strategies/time_error.h>
@@ -55,8 +56,11 @@ public:
   void cut_back(const StepReport& step) override;
   StepsEnd end() const override;
 
-  /// No checkpoint holds what the search for the first step has found so far.
-  bool can_pause() const override { return state.path().size() > 1; }
+  /// No checkpoint holds what the search for the first step has found so far, or half a jump.
+  bool can_pause() const override
+  {
+    return state.path().size() > 1 && (!jumping || jumping->is_over(state.accepted_load()));
+  }
 
   /// Why no step is short enough, and what helps.
   std::string why_exhausted() const;
@@ -101,7 +105,8 @@ private:
   std::optional<State::Accepted> longer; ///< where a first step led that was too long
   std::optional<StepError> step_error;   ///< of the step that was tried last
   std::vector<double> accepted_levels;   ///< of the loads in the last accepted state
-  unsigned int parts = 1;                ///< in which loads that jump come, as time does not help
+  std::optional<LoadJump> jumping;
+  unsigned int parts = 1; ///< in which loads that jump come, as time does not help
   bool has_memory = false, is_exhausted = false;
   StepReport failed; ///< the step that was refused last
 };
