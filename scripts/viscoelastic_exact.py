@@ -325,8 +325,8 @@ class Charging:
         return float(np.max(np.abs(self.film.basis.T @ g)) / self.film.law.modulus(3.0)[0])
 
 
-def follow(film, load, flows, t_end, y, method="DOP853"):
-    """Path of a film from y, a = 0 under load(t) = (eps e^2, its rate); C_v rests unless it flows."""
+def follow(film, load, flows, t_end, y, a=None, method="DOP853"):
+    """Path of a film from y and a (0) under load(t) = (eps e^2, its rate); C_v rests unless it flows."""
     n = 1 + len(y)
 
     def parts(values):
@@ -336,7 +336,7 @@ def follow(film, load, flows, t_end, y, method="DOP853"):
         push = H_a @ a_rate + rate / 2 * math.exp(2 * z - x) * np.array([1.0, -2.0])
         return film.basis.T @ H @ film.basis, film.basis.T @ push, a_rate
 
-    start = np.concatenate([[0.0], y, np.zeros(len(film.branches))])
+    start = np.concatenate([[0.0], y, np.zeros(len(film.branches)) if a is None else a])
     scale = np.linalg.det(parts(start)[0])
 
     def slopes(_, values):
@@ -384,7 +384,7 @@ def ramped(film, rate, t_end=math.inf, method="DOP853"):
     def load(t):
         return film.eps * (rate * t)**2, 2 * film.eps * rate**2 * t
 
-    return follow(film, load, True, t_end, np.zeros(film.basis.shape[1]), method)
+    return follow(film, load, True, t_end, np.zeros(film.basis.shape[1]), method=method)
 
 
 def held(film, field, t_end, method="DOP853"):
@@ -393,12 +393,28 @@ def held(film, field, t_end, method="DOP853"):
     if sudden.pulled_in:
         return replace(sudden, t=0.0, load=lambda _: (film.eps * sudden.field**2, 0.0))
     y = balanced(film, sudden.path(sudden.end)[1:1 + film.basis.shape[1]], field)
-    return follow(film, lambda t: (film.eps * field**2, 0.0), True, t_end, y, method)
+    return follow(film, lambda t: (film.eps * field**2, 0.0), True, t_end, y, method=method)
 
 
-def balanced(film, y, field):
-    """Newton's method for a sudden state from one nearby."""
-    a, q = np.zeros(len(film.branches)), film.eps * field**2
+def raised(charged, t, field=math.inf):
+    """A voltage that jumps at a time on a path, to pull-in if the field is not reached before."""
+    film, (thickness, lateral, a) = charged.film, charged.state(t)
+    y = np.linalg.lstsq(film.basis, np.log([thickness, lateral]) - film.rest, rcond=None)[0]
+    q = charged.load(t)[0]
+    return follow(film, lambda more: (q + more, 1.0), False, film.eps * field**2 - q, y, a)
+
+
+def held_after(jump, t_end):
+    """What follows a jump to a field that the film bears, in times after it."""
+    film, n = jump.film, 1 + jump.film.basis.shape[1]
+    values = jump.path(jump.end)
+    y = balanced(film, values[1:n], jump.field, values[n:])
+    return follow(film, lambda t: (film.eps * jump.field**2, 0.0), True, t_end, y, values[n:])
+
+
+def balanced(film, y, field, a=None):
+    """Newton's method for a sudden state from one nearby, from a (0)."""
+    a, q = np.zeros(len(film.branches)) if a is None else a, film.eps * field**2
     for _ in range(20):
         x, z = film.stretches(y)
         R = film.basis.T @ film.gradient(x, z, a, q)
@@ -455,6 +471,12 @@ def delay_rows(K):
         yield f"pull-in time, e = {field}", held(film, field * UNIT_FIELD, 100).t, time, 3
     yield "never, e = 0.999", float(held(film, 0.999 * UNIT_FIELD, 1e3).pulled_in), 0, 3
     yield "pull-in at once", instantaneous_limit(film).field / UNIT_FIELD, math.sqrt(2), 9
+    charged = held(film, 0.9 * UNIT_FIELD, 1e3)
+    crept, rested = raised(charged, 0.5).field, raised(charged, 999.0).field
+    yield "the same once it has crept: less", float(rested < crept < math.sqrt(2) * UNIT_FIELD), 1, 3
+    whole = held(film, 1.1 * UNIT_FIELD, 100)
+    again = held_after(raised(whole, 1.0, 1.1 * UNIT_FIELD), 100)
+    yield "pull-in time, e = 1.1, seen at t = 1", 1 + again.t, whole.t, 8
 
 
 def known_rows():

@@ -113,14 +113,31 @@ void Verdict<dim>::on_time()
   const bool turns = model.state.estimated_limit() <= failed + 2. * model.state.recent_span();
   if (steps.last_failure().newton.converged || !turns)
     return end_here(EndReason::no_convergence, steps.why_exhausted());
-  std::ostringstream between;
-  between << std::setprecision(8) << " between t = " << model.state.accepted_load() << " s and "
-          << failed << " s";
-  end_here(EndReason::pull_in, between.str());
+  end_here(EndReason::pull_in, between_times(failed));
   if (!model.loading.expects_pull_in()) {
     outcome.code = ExitCode::not_converged;
     outcome.reason += ", before the end of time";
   }
+}
+
+/// The time of the last state and that beyond it which has none; in a jump the loads of both.
+template <int dim>
+std::string Verdict<dim>::between_times(const double failed) const
+{
+  const double accepted = model.state.accepted_load();
+  std::ostringstream text;
+  text << std::setprecision(8);
+  const std::optional<LoadJump>& jump = strategies.time_steps.jump();
+  if (!jump) {
+    text << " between t = " << accepted << " s and " << failed << " s";
+    return text.str();
+  }
+  text << " at t = " << jump->start << " s, where loads jump,";
+  const std::vector<double> low = jump->levels(accepted), high = jump->levels(failed);
+  for (std::size_t i = 0; i < model.loads.size(); ++i)
+    if (model.loads[i].is_present() && low[i] != high[i])
+      text << ' ' << model.loads[i].text().between(low[i], high[i]);
+  return text.str();
 }
 
 /// The newest row of the curve is the last.

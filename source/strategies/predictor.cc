@@ -183,11 +183,15 @@ double Predictor<dim>::prediction_error() const
   return length > 0. ? correction.l2_norm() / length : 0.;
 }
 
+/// Grown by one with each state, an order never reaches back past where the path has turned.
 template <int dim>
 void Predictor<dim>::adapt(const double prediction_error)
 {
   constexpr double trusted = 0.3;
-  order = prediction_error > trusted ? 1 : std::min(order + 1, highest_order);
+  if (std::isinf(prediction_error))
+    order = std::min(order, 1u);
+  else
+    order = prediction_error > trusted ? 1 : std::min(order + 1, highest_order);
 }
 
 template class Predictor<2>;

@@ -128,8 +128,10 @@ template <int dim>
 StepReport TimeSteps<dim>::advance()
 {
   StepReport step;
-  if (jumping && jumping->is_over(state.accepted_load()))
+  if (jumping && jumping->is_over(state.accepted_load())) {
     jumping.reset();
+    predictor.turn();
+  }
   if (!jumping && !has_heat() && (has_memory || parts > 1)) {
     jumping = jump_ahead(loads, accepted_levels, state.accepted_load(), stepper.instant());
     parts = 1;

@@ -118,12 +118,12 @@ def check_relaxation(program, folder):
 
 
 def pull_in(program, folder, scene, entries):
-    """Time, voltage in kV and lambda_3 of the last state of a run that is to pull in, and the sentence."""
+    """Time, e and lambda_3 of the last state of a run that is to pull in, and the sentence."""
     case = program.run(scene, folder / "run", *settings(entries))
-    curve = case.curve("time_s", "voltage_kV", "lambda_3", "event")
+    curve = case.curve("time_s", "e", "lambda_3", "event")
     require(curve["event"][-1] == "pull-in", "no pull-in")
     reason = json.loads((folder / "run" / "run.json").read_text())["reason"]
-    return curve["time_s"][-1], curve["voltage_kV"][-1], curve["lambda_3"][-1], reason
+    return curve["time_s"][-1], curve["e"][-1], curve["lambda_3"][-1], reason
 
 
 def check_rate(program, folder, rate, formulation, degree):
@@ -206,6 +206,33 @@ def check_fast(program, folder, number):
     require(abs(error) < 1e-6, f"lambda_3 at rest is off by {error}")
 
 
+def check_jump(program, folder, number):
+    """A film that has crept, whose voltage jumps past what it bears at once, pulls in at the jump;
+    after one to a little less it creeps on first."""
+    draw = np.random.default_rng(100 + number)
+    tau, start = 10**draw.uniform(-0.5, 1), draw.uniform(0.01, 9)
+    low = draw.uniform(0, 0.8) * exact.UNIT_FIELD
+    film = replace(exact.unit_film(K=1e3), branches=(exact.Branch(1.0, tau),))
+    charged = exact.held(film, low, start + 1)
+    limit = exact.raised(charged, start).field
+    entries = {"Materials/VHB/Branch 1/Relaxation time": repr(tau), "Time/Strain tolerance": "1e-5",
+               "Time/Initial step": repr(10**draw.uniform(-4, 0)),
+               "Time/Scheme": str(draw.choice(["BDF2", "backward Euler"])), **element(*ELEMENTS[number % 4])}
+    for part in (draw.uniform(1.01, 2), 0.95):
+        high = part * limit
+        now = {**entries, "Loading/Target": repr(high), "Time/End": "100",
+               "Time/Voltage amplitude": f"{low / high!r} + {1 - low / high!r}*(t > {start!r})"}
+        time, field, _, reason = pull_in(program, folder, "delayed_pull_in", now)
+        print(f"{', '.join(now.values())}: {reason}")
+        if part > 1:
+            print(f"  exact {start:.5f} s, e = {limit:.6f}, error {field / limit - 1:.1e}")
+            require(abs(time - start) < 2e-7 and abs(field - limit) < 1e-4 * high, "not where it pulls in")
+        else:
+            delay = exact.held_after(exact.raised(charged, start, high), 200).t
+            print(f"  exact {start + delay:.5f} s, error {time - start - delay:.1e} s")
+            require(abs(time - start - delay) < 5e-3 * delay, "not when it pulls in")
+
+
 def check_limits(program, folder):
     """Static pull-in with relaxed branches, and with branches that had no time."""
     for states, film in (("relaxed", exact.equilibrium_limit), ("instantaneous", exact.instantaneous_limit)):
@@ -226,7 +253,8 @@ def main():
     ramps += [(check_rate, 1, *one) for one in (ELEMENTS[0], ELEMENTS[2], ELEMENTS[3])]
     side_by_side(program, *cycles, (check_order, "backward Euler", 1), (check_order, "BDF2", 2),
                  (check_relaxation,), *ramps, *((check_delay, e) for e in (1.02, 1.1, 1.3, 1.4)),
-                 (check_never,), *((check_fast, number) for number in range(12)), (check_limits,),
+                 (check_never,), *((check_fast, number) for number in range(12)),
+                 *((check_jump, number) for number in range(8)), (check_limits,),
                  (check_adiabatic, "staggered", 2e-2), (check_adiabatic, "monolithic", 1e-4))
 
 

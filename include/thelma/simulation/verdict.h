@@ -35,6 +35,7 @@ private:
   void end_here(EndReason why, const std::string& details);
   void on_limit(std::size_t index, double limit, const std::string& between);
   void on_bifurcation(const std::string& between, BlockVector& mode);
+  std::string between_times(double failed) const;
   std::string far_gone() const;
 
   Model<dim>& model;

@@ -60,6 +60,10 @@ public:
   /// Choose the next order by the prediction_error of the accepted state, or after a failure.
   void adapt(double prediction_error);
 
+  /// From the last accepted state on the path has another direction: what came before foretells
+  /// nothing.
+  void turn() { order = 0; }
+
   /// What it has learnt on the way.
   template <class Archive>
   void serialize(Archive& archive, unsigned int)

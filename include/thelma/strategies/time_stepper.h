@@ -60,13 +60,15 @@ public:
 
   bool finished() const { return time >= end; }
 
-  /// Whether no shorter step is worth a try: without a state one as short as no time, or as a small
-  /// part of a jump; with an error as long as the time has digits.
+  /// Whether no shorter step is worth a try: without a state one as short as no time, or as a part
+  /// of a jump that nobody sees; with an error as long as the time has digits.
   bool exhausted() const
   {
     const double moment = std::min(instant(), 1e-3 * initial);
-    const double shortest = !has_failed ? 1e-15 * end : is_in_jump ? 1e-3 * moment : moment;
-    return size < std::max(shortest, 1e-12 * time);
+    const double digits = 1e-12 * time;
+    return size < (!has_failed  ? std::max(1e-15 * end, digits)
+                   : is_in_jump ? 1e-5 * instant()
+                                : std::max(moment, digits));
   }
   double step() const { return size; }
   double final_time() const { return end; }

@@ -48,6 +48,9 @@ public:
   /// The step that was refused last, whose load is its time.
   const StepReport& last_failure() const { return failed; }
 
+  /// The jump of the loads that is under way.
+  const std::optional<LoadJump>& jump() const { return jumping; }
+
   /// Begin at time 0 with the iterate.
   void start();
 
