@@ -229,9 +229,14 @@ void TimeSteps<dim>::cut_back(const StepReport& step)
     stepper.accept(step_error);
     if (state.path().size() == 1)
       longer = {state.time, state.x, {}};
-    restore();
-  } else {
-    restore();
+  }
+  // back to the newest accepted state with its own time and loads, which fields and checkpoints
+  // tell
+  state.restore();
+  state.time = state.accepted_load();
+  loads.set_levels(accepted_levels);
+  loads.prescribe(state);
+  if (!step.newton.converged) {
     stepper.cut_back();
     if (!jumping && jump_ahead(loads, accepted_levels, state.accepted_load(), stepper.instant()))
       parts = std::min(2 * parts, most);
@@ -258,16 +263,6 @@ std::string TimeSteps<dim>::why_exhausted() const
          (state.accepted_load() > 0. ? ""
                                      : "; against a jump at time 0 more Newton/Iterations help, or "
                                        "an amplitude that rises");
-}
-
-/// The newest accepted state with its own time and loads, which fields and checkpoints tell.
-template <int dim>
-void TimeSteps<dim>::restore()
-{
-  state.restore();
-  state.time = state.accepted_load();
-  loads.set_levels(accepted_levels);
-  loads.prescribe(state);
 }
 
 template <int dim>

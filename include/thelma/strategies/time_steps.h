@@ -91,7 +91,6 @@ private:
   void include(const TimeStepper::MaybeError& relative);
   NewtonReport deform(bool extrapolates);
   void prescribe(double time, unsigned int part);
-  void restore();
 
   DiscreteSystem<dim>&deformation, &heated;
   const DofLayout<dim>& layout;
