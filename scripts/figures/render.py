@@ -14,6 +14,23 @@ OVERSAMPLING = 3  # pixels rendered per pixel kept, each way
 NO_EDGES, EDGES = 0.0, 0.35  # opacity of the mesh
 
 
+def start_server():
+    """A virtual X server and its number. MPI asks the servers 0 to 9 for graphics cards when programs
+    start, which end with the server."""
+    for number in range(99, 199):
+        read, write = os.pipe()
+        command = ["Xvfb", f":{number}", "-displayfd", str(write), "-screen", "0", "64x64x24", "-nolisten",
+                   "tcp", "-noreset"]
+        server = subprocess.Popen(command, pass_fds=[write], stdout=subprocess.DEVNULL,
+                                  stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as pipe:
+            if pipe.readline().strip():
+                return server, number
+        server.wait()  # the number is another's
+    raise plotting.PlotError("Xvfb did not start.")
+
+
 @contextlib.contextmanager
 def display():
     """VTK of Debian draws on an X display only: a virtual one if that is installed."""
@@ -22,18 +39,9 @@ def display():
             yield
             return
         raise plotting.PlotError("shapes need an X display or Xvfb; on Debian install xvfb.")
-    read, write = os.pipe()
-    command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "64x64x24", "-nolisten", "tcp",
-               "-noreset"]
-    server = subprocess.Popen(command, pass_fds=[write], stdout=subprocess.DEVNULL,
-                              stderr=subprocess.DEVNULL)
-    os.close(write)
+    server, number = start_server()
     before = os.environ.get("DISPLAY")
     try:
-        with os.fdopen(read) as pipe:
-            number = pipe.readline().strip()
-        if not number:
-            raise plotting.PlotError("Xvfb did not start.")
         os.environ["DISPLAY"] = f":{number}"
         yield
     finally:
