@@ -110,7 +110,8 @@ void Verdict<dim>::on_time()
 {
   const TimeSteps<dim>& steps = strategies.time_steps;
   const double failed = steps.last_failure().load;
-  const bool turns = model.state.estimated_limit() <= failed + 2. * model.state.recent_span();
+  const bool turns = model.layout.has(Field::potential) &&
+                     model.state.estimated_limit() <= failed + 2. * model.state.recent_span();
   if (steps.last_failure().newton.converged || !turns)
     return end_here(EndReason::no_convergence, steps.why_exhausted());
   std::ostringstream between;
