@@ -77,6 +77,16 @@ std::string Branches::defect(const double theta) const
   return "";
 }
 
+void Branches::check_temperature(const KnownTemperature& known, const std::string& place) const
+{
+  for (std::size_t i = 0; i < list.size(); ++i)
+    std::visit(
+        [&](const auto& law) {
+          law.check_temperature(known, place + "/Branch " + std::to_string(i + 1));
+        },
+        list[i]);
+}
+
 void Branches::begin_step(const StepTimes& times, const double* old, const double* older,
                           double* step) const
 {

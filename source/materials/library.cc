@@ -122,8 +122,10 @@ void MaterialLibrary::check(const double theta)
   if (materials.empty())
     throw InputError("section Regions, entry 'Materials': it is empty or missing; write `set "
                      "Materials = region: material`");
-  check_at(theta);
+  check_at({theta, "Temperature/Value"});
   for (const auto& [name, entry] : materials) {
+    entry.material->check_temperature({entry.material->thermal.theta_0, "Reference temperature"},
+                                      "section Materials/" + name);
     try {
       Thermal& thermal = entry.material->thermal;
       thermal.follow(entry.material->shear_modulus(thermal.theta_0));
@@ -134,17 +136,18 @@ void MaterialLibrary::check(const double theta)
   }
 }
 
-void MaterialLibrary::check_at(const double theta) const
+void MaterialLibrary::check_at(const KnownTemperature& known) const
 {
+  const double theta = known.theta;
   const std::string at = " at " + as_text(theta) + " K";
   for (const auto& [name, entry] : materials) {
+    entry.material->check_temperature(known, "section Materials/" + name);
     require_positive(name, "Shear modulus", entry.material->shear_modulus(theta), at);
     if (const std::string wrong = entry.material->branch_defect(theta); !wrong.empty())
       throw InputError("section Materials/" + name + ", entry '" + wrong + "': the value" + at +
                        " must be positive");
     require_positive(name, "Permittivity", entry.material->permittivity(theta), at);
-    constexpr double vacuum = 8.8541878e-6; // N/kV^2
-    const double relative = entry.material->permittivity(theta) / vacuum;
+    const double relative = entry.material->permittivity(theta) / vacuum_permittivity;
     if (relative > 1e5)
       throw InputError("section Materials/" + name + ", entry 'Permittivity': the value is " +
                        as_text(relative) +

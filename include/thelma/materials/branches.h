@@ -39,6 +39,10 @@ public:
   /// The entry, such as `Branch 1/Modulus`, that does not allow @p theta; empty if all is well.
   std::string defect(double theta) const;
 
+  /// Throws InputError, with the section @p place of the material in the sentence, if a table does
+  /// not reach @p known.
+  void check_temperature(const KnownTemperature& known, const std::string& place) const;
+
   /// The step from the last accepted states, @p old (null: the body at rest, without time to flow)
   /// and @p older (null: there is none).
   void begin_step(const StepTimes& times, const double* old, const double* older,

@@ -158,6 +158,13 @@ public:
     return branches.step_error(times, old, older, now);
   }
 
+  void check_temperature(const KnownTemperature& known, const std::string& place) const override
+  {
+    elastic.check_temperature(known, place);
+    dielectric.check_temperature(known, place);
+    branches.check_temperature(known, place);
+  }
+
   double branch_modulus(const double theta) const override { return branches.modulus(theta); }
   std::string branch_defect(const double theta) const override { return branches.defect(theta); }
 

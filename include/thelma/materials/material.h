@@ -3,6 +3,7 @@
 #include <thelma/materials/entropy_rate.h>
 #include <thelma/materials/flow_heat.h>
 #include <thelma/materials/point.h>
+#include <thelma/materials/temperature_law.h>
 #include <thelma/materials/thermal.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -63,7 +64,11 @@ public:
   /// Let it have these branches, before it is declared.
   virtual void set_branches(Branches branches) = 0;
 
-  /// What they add to the shear modulus at once, in MPa; the entry of one that does not allow
+  /// Throws InputError, with the section @p place of the material in the sentence, if the table of
+  /// a parameter does not reach @p known.
+  virtual void check_temperature(const KnownTemperature& known, const std::string& place) const = 0;
+
+  /// What branches add to the shear modulus at once, in MPa; the entry of one that does not allow
   /// @p theta, or nothing.
   virtual double branch_modulus(double theta) const = 0;
   virtual std::string branch_defect(double theta) const = 0;

@@ -36,6 +36,12 @@ public:
     tau.declare(prm);
   }
 
+  void check_temperature(const KnownTemperature& known, const std::string& place) const
+  {
+    G.check(known, place);
+    tau.check_temperature(known, place);
+  }
+
   /// The entry that does not allow @p theta; empty if all is well.
   std::string defect(const double theta) const
   {

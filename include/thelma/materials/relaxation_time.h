@@ -36,6 +36,11 @@ public:
                  Quantity("K", 1., 1e4));
   }
 
+  void check_temperature(const KnownTemperature& known, const std::string& place) const
+  {
+    law.check(known, place);
+  }
+
   /// No number where there is none: where the law is not positive, or below the range of WLF.
   template <typename Number>
   Number value(const Number& theta) const

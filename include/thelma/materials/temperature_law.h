@@ -1,6 +1,7 @@
 #pragma once
 
 #include <thelma/base/quantity.h>
+#include <thelma/materials/temperature_table.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -10,24 +11,34 @@
 namespace thelma
 {
 
+/// A temperature that a scene is known to have, in K, and the entry that says so.
+struct KnownTemperature {
+  double theta;
+  std::string entry;
+};
+
 /// A material parameter that depends on temperature, f(theta) = c_0 + c_1 x + c_2 x^2 + ... with
-/// x = 1000 K / theta (the form of the paper's shear modulus); one coefficient is a constant.
+/// x = 1000 K / theta (the form of the paper's shear modulus), of which one coefficient is a
+/// constant; or a table.
 class TemperatureLaw
 {
 public:
   explicit TemperatureLaw(std::vector<double> coefficients) : c(std::move(coefficients)) {}
 
-  /// Declares @p entry in the section @p prm stands in; @p what ends "Coefficients ... of <what>".
+  /// Declares @p entry in the section @p prm stands in; @p what is the rest of the sentence
+  /// "Coefficients ... of <what>".
   void declare(dealii::ParameterHandler& prm, const std::string& entry, const std::string& what,
-               const Quantity& quantity)
-  {
-    add_quantity(prm, entry, c,
-                 "Coefficients c_0, c_1, ... of powers of (1000 K / theta) in " + what, quantity);
-  }
+               const Quantity& quantity);
+
+  /// Throws InputError, with the section @p place in the sentence, if the table does not reach
+  /// @p known.
+  void check(const KnownTemperature& known, const std::string& place) const;
 
   template <typename Number>
   Number value(const Number& theta) const
   {
+    if (!table.empty())
+      return table.value(theta);
     const Number x = 1000. / theta;
     Number f = c.back();
     for (std::size_t n = c.size() - 1; n > 0; --n)
@@ -39,6 +50,8 @@ public:
   template <typename Number>
   Number slope(const Number& theta) const
   {
+    if (!table.empty())
+      return table.slope(theta);
     const Number x = 1000. / theta;
     Number f = 0.;
     for (std::size_t n = c.size() - 1; n > 0; --n)
@@ -50,6 +63,8 @@ public:
   template <typename Number>
   Number curvature(const Number& theta) const
   {
+    if (!table.empty())
+      return table.curvature(theta);
     const Number x = 1000. / theta;
     Number f = 0.;
     for (std::size_t n = c.size() - 1; n > 0; --n)
@@ -59,6 +74,8 @@ public:
 
 private:
   std::vector<double> c;
+  TemperatureTable table; ///< empty: the coefficients hold
+  std::string entry;
 };
 
 /// mu(theta) in MPa of Sharma, Khurana and Joglekar, section 4.
