@@ -19,7 +19,7 @@ class Branches;
 /// thermal and c (theta - theta_0); entropy that of the part here and c ln(theta/theta_0).
 struct Energies {
   double elastic = 0.;  ///< (theta/theta_0) W, and what the volumetric energy adds to it
-  double electric = 0.; ///< stored field energy, D.E/2 for a linear dielectric
+  double electric = 0.; ///< stored field energy psi_d + E.D, D.E/2 for a linear dielectric
   double thermal = 0.;  ///< psi_t + theta eta without the part of the heat capacity
   double entropy = 0.;  ///< eta without the part of the heat capacity, MPa/K
 
