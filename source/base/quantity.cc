@@ -206,9 +206,10 @@ void add_table_quantity(dealii::ParameterHandler& prm, const std::string& entry,
                         const Quantity& quantity, const ReadTable& read)
 {
   constexpr unsigned int most = 100;
-  prm.declare_entry(entry, text_of(coefficients),
-                    dealii::Patterns::List(quantity.at_temperatures(), 1, most),
-                    sentence + quantity.unit_sentence());
+  prm.declare_entry(
+      entry, text_of(coefficients),
+      dealii::Patterns::List(quantity.at_temperatures(), coefficients.empty() ? 0 : 1, most),
+      sentence + quantity.unit_sentence());
   prm.add_action(entry, [read](const std::string& text) {
     std::vector<double> temperatures, values;
     for (const std::string& row : dealii::Utilities::split_string_list(text)) {

@@ -23,6 +23,15 @@ void TemperatureLaw::declare(dealii::ParameterHandler& prm, const std::string& n
       });
 }
 
+TemperatureLaw TemperatureLaw::times(const double factor) const
+{
+  TemperatureLaw scaled = *this;
+  for (double& coefficient : scaled.c)
+    coefficient *= factor;
+  scaled.table.scale(factor);
+  return scaled;
+}
+
 void TemperatureLaw::check(const KnownTemperature& known, const std::string& place) const
 {
   if (!table.empty() && !table.has(known.theta))

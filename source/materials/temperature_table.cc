@@ -80,4 +80,11 @@ TemperatureTable::TemperatureTable(const std::vector<double>& temperatures,
   end = temperatures.back();
 }
 
+void TemperatureTable::scale(const double factor)
+{
+  for (Cubic<>& piece : pieces)
+    for (double& a : piece.a)
+      a *= factor;
+}
+
 } // namespace thelma

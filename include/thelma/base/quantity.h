@@ -60,8 +60,8 @@ void add_quantity(dealii::ParameterHandler& prm, const std::string& entry,
                   std::vector<double>& values, const std::string& sentence,
                   const Quantity& quantity, unsigned int least = 1, unsigned int most = 10);
 
-/// Coefficients, `1, 2`, or a table of values at temperatures in K, `273: 1, 293: 2`. @p read gets
-/// the temperatures, of coefficients none, and the numbers.
+/// Coefficients, `1, 2`, or a table of values at temperatures in K, `273: 1, 293: 2`; nothing where
+/// that is the default. @p read gets the temperatures, of coefficients none, and the numbers.
 using ReadTable = std::function<void(const std::vector<double>&, const std::vector<double>&)>;
 void add_table_quantity(dealii::ParameterHandler& prm, const std::string& entry,
                         const std::vector<double>& coefficients, const std::string& sentence,

@@ -3,11 +3,14 @@
 #include <thelma/materials/arruda_boyce.h>
 #include <thelma/materials/composed_material.h>
 #include <thelma/materials/electrostrictive_dielectric.h>
+#include <thelma/materials/fibres.h>
 #include <thelma/materials/gent.h>
 #include <thelma/materials/ideal_dielectric.h>
 #include <thelma/materials/mooney_rivlin.h>
 #include <thelma/materials/neo_hookean.h>
+#include <thelma/materials/ogden.h>
 #include <thelma/materials/saturating_dielectric.h>
+#include <thelma/materials/yeoh.h>
 
 #include <tuple>
 
@@ -16,7 +19,7 @@ namespace thelma
 
 /// The laws a .prm can choose: one page and one name here each. The derivative test runs over
 /// every combination by itself.
-using ElasticLaws = std::tuple<NeoHookean, Gent, ArrudaBoyce, MooneyRivlin>;
+using ElasticLaws = std::tuple<NeoHookean, Gent, ArrudaBoyce, MooneyRivlin, Yeoh, Ogden, Fibres>;
 using DielectricLaws =
     std::tuple<IdealDielectric, ElectrostrictiveDielectric, SaturatingDielectric>;
 

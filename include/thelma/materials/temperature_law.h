@@ -30,6 +30,11 @@ public:
   void declare(dealii::ParameterHandler& prm, const std::string& entry, const std::string& what,
                const Quantity& quantity);
 
+  /// Neither coefficients nor table, which is an entry's default only.
+  bool empty() const { return c.empty() && table.empty(); }
+
+  TemperatureLaw times(double factor) const;
+
   /// Throws InputError, with the section @p place in the sentence, if the table does not reach
   /// @p known.
   void check(const KnownTemperature& known, const std::string& place) const;

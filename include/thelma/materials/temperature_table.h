@@ -20,6 +20,7 @@ public:
   TemperatureTable(const std::vector<double>& temperatures, const std::vector<double>& values);
 
   bool empty() const { return pieces.empty(); }
+  void scale(double factor);
   double first() const { return pieces.front().start; }
   double last() const { return end; }
 
