@@ -34,6 +34,13 @@ void require_positive(const std::string& material, const std::string& entry, con
                      as_text(value) + where + " but must be positive");
 }
 
+void require_in_tables(const Material& material, const KnownTemperature& known)
+{
+  if (const std::string defect = material.table_defect(known.theta); !defect.empty())
+    throw InputError(defect + ", without the " + as_text(known.theta) + " K of " + known.entry +
+                     "; add rows that reach it");
+}
+
 std::unique_ptr<Material> create(const std::string& elastic, const std::string& dielectric)
 {
   std::unique_ptr<Material> material;
@@ -71,6 +78,7 @@ MaterialLibrary::MaterialLibrary(const ParameterFile& file)
       declare_laws(prm, name, entry);
     });
     entry.material = create(entry.elastic, entry.dielectric);
+    entry.material->name = name;
     entry.material->set_branches(Branches(entry.branches));
     entry.has_section = file.has_section({"Materials", name});
   }
@@ -124,8 +132,7 @@ void MaterialLibrary::check(const double theta)
                      "Materials = region: material`");
   check_at({theta, "Temperature/Value"});
   for (const auto& [name, entry] : materials) {
-    entry.material->check_temperature({entry.material->thermal.theta_0, "Reference temperature"},
-                                      "section Materials/" + name);
+    require_in_tables(*entry.material, {entry.material->thermal.theta_0, "Reference temperature"});
     try {
       Thermal& thermal = entry.material->thermal;
       thermal.follow(entry.material->shear_modulus(thermal.theta_0));
@@ -141,7 +148,7 @@ void MaterialLibrary::check_at(const KnownTemperature& known) const
   const double theta = known.theta;
   const std::string at = " at " + as_text(theta) + " K";
   for (const auto& [name, entry] : materials) {
-    entry.material->check_temperature(known, "section Materials/" + name);
+    require_in_tables(*entry.material, known);
     require_positive(name, "Shear modulus", entry.material->shear_modulus(theta), at);
     if (const std::string wrong = entry.material->branch_defect(theta); !wrong.empty())
       throw InputError("section Materials/" + name + ", entry '" + wrong + "': the value" + at +

@@ -32,12 +32,12 @@ TemperatureLaw TemperatureLaw::times(const double factor) const
   return scaled;
 }
 
-void TemperatureLaw::check(const KnownTemperature& known, const std::string& place) const
+std::string TemperatureLaw::table_defect(const double theta) const
 {
-  if (!table.empty() && !table.has(known.theta))
-    throw InputError(place + ", entry '" + entry + "': the table is from " +
-                     as_text(table.first()) + " to " + as_text(table.last()) + " K, without the " +
-                     as_text(known.theta) + " K of " + known.entry + "; add rows that reach it");
+  if (table.empty() || table.has(theta))
+    return "";
+  return ", entry '" + entry + "': the table is from " + as_text(table.first()) + " to " +
+         as_text(table.last()) + " K";
 }
 
 } // namespace thelma

@@ -112,7 +112,8 @@ void Verdict<dim>::on_time()
   const double failed = steps.last_failure().load;
   const bool turns = model.layout.has(Field::potential) &&
                      model.state.estimated_limit() <= failed + 2. * model.state.recent_span();
-  if (steps.last_failure().newton.converged || !turns)
+  const NewtonReport& newton = steps.last_failure().newton;
+  if (newton.converged || newton.refusal == Refusal::no_law || !turns)
     return end_here(EndReason::no_convergence, steps.why_exhausted());
   std::ostringstream between;
   between << std::setprecision(8) << " between t = " << model.state.accepted_load() << " s and "

@@ -39,9 +39,8 @@ public:
   /// The entry, such as `Branch 1/Modulus`, that does not allow @p theta; empty if all is well.
   std::string defect(double theta) const;
 
-  /// Throws InputError, with the section @p place of the material in the sentence, if a table does
-  /// not reach @p known.
-  void check_temperature(const KnownTemperature& known, const std::string& place) const;
+  /// As TemperatureLaw has it, with the section of the branch.
+  std::string table_defect(double theta) const;
 
   /// The step from the last accepted states, @p old (null: the body at rest, without time to flow)
   /// and @p older (null: there is none).

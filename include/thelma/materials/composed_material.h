@@ -159,11 +159,13 @@ public:
     return branches.step_error(times, old, older, now);
   }
 
-  void check_temperature(const KnownTemperature& known, const std::string& place) const override
+  std::string table_defect(const double theta) const override
   {
-    elastic.check_temperature(known, place);
-    dielectric.check_temperature(known, place);
-    branches.check_temperature(known, place);
+    for (const std::string& defect : {elastic.table_defect(theta), dielectric.table_defect(theta),
+                                      branches.table_defect(theta)})
+      if (!defect.empty())
+        return "section Materials/" + name + defect;
+    return "";
   }
 
   double branch_modulus(const double theta) const override { return branches.modulus(theta); }

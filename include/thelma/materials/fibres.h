@@ -43,10 +43,10 @@ public:
   /// That of the matrix, in MPa.
   double shear_modulus(const double theta) const { return matrix.shear_modulus(theta); }
 
-  void check_temperature(const KnownTemperature& known, const std::string& place) const
+  std::string table_defect(const double theta) const
   {
-    matrix.check_temperature(known, place);
-    stiffness.check(known, place);
+    const std::string first = matrix.table_defect(theta);
+    return first.empty() ? stiffness.table_defect(theta) : first;
   }
 
   template <typename Number>

@@ -16,6 +16,12 @@ std::vector<Choice> elastic_laws();
 std::vector<Choice> dielectric_laws();
 std::vector<Choice> branch_laws();
 
+/// A temperature that a scene is known to have, in K, and the entry that says so.
+struct KnownTemperature {
+  double theta;
+  std::string entry;
+};
+
 /// Materials by name, and which one fills each named region of the mesh.
 class MaterialLibrary
 {

@@ -64,9 +64,8 @@ public:
   /// Let it have these branches, before it is declared.
   virtual void set_branches(Branches branches) = 0;
 
-  /// Throws InputError, with the section @p place of the material in the sentence, if the table of
-  /// a parameter does not reach @p known.
-  virtual void check_temperature(const KnownTemperature& known, const std::string& place) const = 0;
+  /// Section and entry of a table that does not reach @p theta, and its range; empty if all do.
+  virtual std::string table_defect(double theta) const = 0;
 
   /// What branches add to the shear modulus at once, in MPa; the entry of one that does not allow
   /// @p theta, or nothing.
@@ -95,6 +94,7 @@ public:
   virtual double shear_modulus(double theta) const = 0;
   virtual double permittivity(double theta) const = 0;
 
+  std::string name; ///< of its section
   Thermal thermal;
 };
 

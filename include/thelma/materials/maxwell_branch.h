@@ -36,10 +36,10 @@ public:
     tau.declare(prm);
   }
 
-  void check_temperature(const KnownTemperature& known, const std::string& place) const
+  std::string table_defect(const double theta) const
   {
-    G.check(known, place);
-    tau.check_temperature(known, place);
+    const std::string first = G.table_defect(theta);
+    return first.empty() ? tau.table_defect(theta) : first;
   }
 
   /// The entry that does not allow @p theta; empty if all is well.

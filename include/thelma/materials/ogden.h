@@ -51,10 +51,7 @@ public:
 
   double shear_modulus(const double theta) const { return factor.value(theta) * initial_modulus(); }
 
-  void check_temperature(const KnownTemperature& known, const std::string& place) const
-  {
-    modulus.check(known, place);
-  }
+  std::string table_defect(const double theta) const { return modulus.table_defect(theta); }
 
   template <typename Number>
   Number W(const Tensor3<2, Number>& F, const Number& J, const Number& theta) const

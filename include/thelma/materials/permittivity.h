@@ -22,10 +22,7 @@ public:
   /// In N/kV^2.
   double permittivity(const double theta) const { return eps.value(theta); }
 
-  void check_temperature(const KnownTemperature& known, const std::string& place) const
-  {
-    eps.check(known, place);
-  }
+  std::string table_defect(const double theta) const { return eps.table_defect(theta); }
 
 protected:
   TemperatureLaw eps{{3.98e-5}};

@@ -36,10 +36,7 @@ public:
                  Quantity("K", 1., 1e4));
   }
 
-  void check_temperature(const KnownTemperature& known, const std::string& place) const
-  {
-    law.check(known, place);
-  }
+  std::string table_defect(const double theta) const { return law.table_defect(theta); }
 
   /// No number where there is none: where the law is not positive, or below the range of WLF.
   template <typename Number>

@@ -11,12 +11,6 @@
 namespace thelma
 {
 
-/// A temperature that a scene is known to have, in K, and the entry that says so.
-struct KnownTemperature {
-  double theta;
-  std::string entry;
-};
-
 /// A material parameter that depends on temperature, f(theta) = c_0 + c_1 x + c_2 x^2 + ... with
 /// x = 1000 K / theta (the form of the paper's shear modulus), of which one coefficient is a
 /// constant; or a table.
@@ -35,9 +29,9 @@ public:
 
   TemperatureLaw times(double factor) const;
 
-  /// Throws InputError, with the section @p place in the sentence, if the table does not reach
-  /// @p known.
-  void check(const KnownTemperature& known, const std::string& place) const;
+  /// If the table does not reach @p theta, what follows the section in a sentence that says so:
+  /// `, entry 'Shear modulus': the table is from 293 to 350 K`; else empty.
+  std::string table_defect(double theta) const;
 
   template <typename Number>
   Number value(const Number& theta) const
