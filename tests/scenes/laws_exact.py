@@ -12,7 +12,7 @@ from scene import require
 from validation.material import newton
 
 THETA_0 = 293.0
-TRELOAR = {1.3: 0.63, 5.0: 0.0012, -2.0: -0.01}  # alpha: mu in MPa (Ogden 1972)
+TERMS = {1.3: 0.63, 5.0: 0.0012, -2.0: -0.01}  # alpha: mu in MPa, the default of `Ogden terms`
 CHAINS = 4.0  # links of a chain, Arruda and Boyce's series to five terms
 SERIES = [1 / 2, 1 / 20, 11 / 1050, 19 / 7000, 519 / 673750]
 

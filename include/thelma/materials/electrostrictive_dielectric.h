@@ -25,8 +25,9 @@ public:
     Permittivity::declare(prm);
     prm.add_parameter("Electrostriction", c,
                       "c_1, c_2 of the permittivity eps (1 + c_1 (B - 1) + c_2 tr(B - 1)) of the "
-                      "deformed body with B = F F^T. Default: VHB 4910, which loses 44 % when "
-                      "stretched five times in its plane, Wissler and Mazza (2007).",
+                      "deformed body with B = F F^T. Default: an example, which loses 44 % when "
+                      "stretched five times in its plane; take yours from capacitances of a film "
+                      "at several stretches.",
                       dealii::Patterns::List(dealii::Patterns::Double(-10., 10.), 2, 2));
   }
 

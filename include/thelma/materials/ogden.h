@@ -31,8 +31,8 @@ public:
     const Map pattern(Double(), unit, 1, most_terms);
     prm.declare_entry("Ogden terms", "1.3: 0.63, 5: 0.0012, -2: -0.01", pattern,
                       "`alpha_1: mu_1, alpha_2: mu_2`, ... as in W = sum mu_p/alpha_p "
-                      "(lambda_1^alpha_p + lambda_2^alpha_p + lambda_3^alpha_p - 3). Default: "
-                      "Treloar's rubber, Ogden (1972)." +
+                      "(lambda_1^alpha_p + lambda_2^alpha_p + lambda_3^alpha_p - 3). Default: an "
+                      "example; take those of a fit to your own tests." +
                           unit.unit_sentence());
     prm.add_action("Ogden terms", [this, pattern](const std::string& text) {
       using Moduli = std::map<double, double>;

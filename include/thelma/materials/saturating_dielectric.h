@@ -21,8 +21,9 @@ public:
   {
     Permittivity::declare(prm);
     add_quantity(prm, "Saturation polarisation", P_s,
-                 "P_s, which the polarisation approaches in strong true fields. Default: chi g at "
-                 "320 kV/mm, near the breakdown of thin, stretched VHB.",
+                 "P_s, which the polarisation approaches in strong true fields. Default: an "
+                 "example, chi g at a true field of 320 kV/mm; take yours from charges measured "
+                 "up to such fields.",
                  Quantity("uC/mm^2", 1e-12));
   }
 

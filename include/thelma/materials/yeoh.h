@@ -20,8 +20,8 @@ public:
   {
     mu.declare(prm, "Shear modulus", "mu(theta) = 2 C_1.", Quantity("MPa"));
     add_quantity(prm, "Yeoh ratios", ratios,
-                 "C_2/C_1, C_3/C_1, ... of the powers of tr C_EM - 3 in W. Default: those of "
-                 "Arruda and Boyce's law with lambda_L = 5.99.",
+                 "C_2/C_1, C_3/C_1, ... of the powers of tr C_EM - 3 in W. Default: the Taylor "
+                 "series of the law Arruda-Boyce with its default lambda_L.",
                  Quantity("1"));
   }
 
@@ -80,7 +80,7 @@ private:
     Number value = 0., slope = 0., curvature = 0.;
   };
 
-  std::vector<double> ratios{2.884e-3, 1.6e-5};
+  std::vector<double> ratios{2.89e-3, 1.75e-5};
 };
 
 } // namespace thelma
