@@ -174,7 +174,7 @@ std::string CellLoop<dim>::table_defect() const
   if (found.second.empty())
     return "";
   std::ostringstream text;
-  text << found.second << ", without the " << std::setprecision(7) << found.first
+  text << found.second << ", without the " << std::setprecision(10) << found.first
        << " K of a point in the body; add rows that reach it";
   return text.str();
 }
