@@ -41,6 +41,26 @@ void require_in_tables(const Material& material, const KnownTemperature& known)
                      "; add rows that reach it");
 }
 
+/// An energy that a parameter file brings along, in the body without load, which has expanded
+/// freely.
+void require_stable_rest(const Material& material, const double theta)
+{
+  constexpr double negligible = 1e-6;
+  const std::string start = "section Materials/" + material.name + ", entry 'Energy': at " +
+                            as_text(theta) + " K the body without load has a ";
+  const double mu = material.shear_modulus(theta);
+  if (!(mu > 0.))
+    throw InputError(start + "shear modulus of " + as_text(mu) + " MPa, which must be positive");
+  const double stretch = 1. / material.thermal.split(theta);
+  const Tensor3<2> F({{stretch, 0., 0.}, {0., stretch, 0.}, {0., 0., stretch}});
+  FirstDerivatives<> first{};
+  material.evaluate({F, Tensor3<1>(), theta}, first);
+  const double W_F = first.P[0][0] * stretch * material.thermal.theta_0 / theta;
+  if (!(std::abs(W_F) <= negligible * mu))
+    throw InputError(start + "stress of " + as_text(W_F) + " MPa; add " + as_text(-W_F) +
+                     "*log(J) to the energy");
+}
+
 std::unique_ptr<Material> create(const std::string& elastic, const std::string& dielectric)
 {
   std::unique_ptr<Material> material;
@@ -149,7 +169,10 @@ void MaterialLibrary::check_at(const KnownTemperature& known) const
   const std::string at = " at " + as_text(theta) + " K";
   for (const auto& [name, entry] : materials) {
     require_in_tables(*entry.material, known);
-    require_positive(name, "Shear modulus", entry.material->shear_modulus(theta), at);
+    if (entry.elastic == ExpressionLaw::name)
+      require_stable_rest(*entry.material, theta);
+    else
+      require_positive(name, "Shear modulus", entry.material->shear_modulus(theta), at);
     if (const std::string wrong = entry.material->branch_defect(theta); !wrong.empty())
       throw InputError("section Materials/" + name + ", entry '" + wrong + "': the value" + at +
                        " must be positive");

@@ -4,7 +4,7 @@ With w_i = lambda_i dpsi/dlambda_i of the material without a field (doc/theory.m
 stress M = e^2 mu lambda_1 lambda_2/lambda_3, a film without forces has w_1 = w_2 = -w_3 = M/2.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -28,6 +28,7 @@ class Rubber:
     ratio: float = 1000.0  # K/mu
     theta: float = THETA_0
     alpha: float = 0.0  # 1/K
+    scene: str = "planar_actuator"  # a free film
 
     def balance(self, stretches):
         """w_1, w_2, w_3."""
@@ -55,6 +56,13 @@ def yeoh(mu, ratios):
     """By the shear modulus and C_2/C_1, C_3/C_1, ..."""
     return Rubber("Yeoh", mu, partial(w_of_yeoh, mu, ratios),
                   {"Shear modulus": f"{mu!r}", "Yeoh ratios": ", ".join(map(repr, ratios))})
+
+
+def as_expression(mu, ratios):
+    """The same law as an energy of the parameter file."""
+    energy = " + ".join(f"({c!r})*x*(I1 - 3)^{n + 2}" for n, c in enumerate(ratios))
+    return replace(yeoh(mu, ratios), name="expression", scene="verification/own_energy", entries={
+        "Energy": f"x*(I1 - 3 - 2*log(J)) + {energy}, x: {mu / 2!r}"})
 
 
 def series_of_chains():

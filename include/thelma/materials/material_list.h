@@ -3,6 +3,7 @@
 #include <thelma/materials/arruda_boyce.h>
 #include <thelma/materials/composed_material.h>
 #include <thelma/materials/electrostrictive_dielectric.h>
+#include <thelma/materials/expression_law.h>
 #include <thelma/materials/fibres.h>
 #include <thelma/materials/gent.h>
 #include <thelma/materials/ideal_dielectric.h>
@@ -19,7 +20,8 @@ namespace thelma
 
 /// The laws a .prm can choose: one page and one name here each. The derivative test runs over
 /// every combination by itself.
-using ElasticLaws = std::tuple<NeoHookean, Gent, ArrudaBoyce, MooneyRivlin, Yeoh, Ogden, Fibres>;
+using ElasticLaws =
+    std::tuple<NeoHookean, Gent, ArrudaBoyce, MooneyRivlin, Yeoh, Ogden, Fibres, ExpressionLaw>;
 using DielectricLaws =
     std::tuple<IdealDielectric, ElectrostrictiveDielectric, SaturatingDielectric>;
 

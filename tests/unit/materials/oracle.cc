@@ -45,6 +45,8 @@ constexpr Parameters parameter_sets[] = {
      "set Permittivity = 240: 4.1e-5, 300: 4e-5, 350: 3.5e-5, 410: 4.4e-5\n"
      "set Electrostriction = 0.4, 0.05\n"
      "set Saturation polarisation = 1e-3\n"
+     "set Energy = (a + b/theta)*(I1 - 3 - 2*log(J)) + sqrt(I1*I2 + 1)/(10 + I1) + "
+     "c*((I1 - 3)^2 + I2/J^(2/3))*exp(-theta/300), a: 0.01, b: 5, c: 2e-3\n"
      "subsection Branch 1\n set Modulus = 240: 0.4, 320: 0.1, 410: 0.01\n"
      " set Relaxation time = 240: 30, 290: 10, 410: 0.3\nend",
      1},
