@@ -5,6 +5,9 @@
 #include "scene.h"
 #include "timing.h"
 
+#include <thelma/materials/library.h>
+#include <thelma/materials/neo_hookean.h>
+
 #include <cstdio>
 
 namespace
@@ -16,10 +19,11 @@ struct Microseconds {
   double residual, tangent;
 };
 
-/// With so many viscoelastic branches in all cells, which flow.
+/// With an elastic law, and so many viscoelastic branches in all cells, which flow.
 template <int dim>
 Microseconds measure(const std::string& mesh, const std::string& supports,
-                     const std::string& formulation, const int degree, const int n_branches)
+                     const std::string& formulation, const int degree, const int n_branches,
+                     const std::string& law = NeoHookean::name)
 {
   std::string branches;
   for (int i = 0; i < n_branches; ++i)
@@ -28,8 +32,9 @@ Microseconds measure(const std::string& mesh, const std::string& supports,
                        "\nend\nsubsection Regions\n"
                        " set Materials = active: elastomer, passive: elastomer\n"
                        " set Passive = passive\nend\nsubsection Materials\n subsection elastomer\n"
-                       "  set Branches = " +
-                       branches + "\n end\nend\nsubsection Discretisation\n set Degree = " +
+                       "  set Elastic law = " +
+                       law + "\n  set Branches = " + branches +
+                       "\n end\nend\nsubsection Discretisation\n set Degree = " +
                        std::to_string(degree) + "\n set Formulation = " + formulation +
                        "\nend\nsubsection Supports\n set Fixed = " + supports +
                        "\nend\nsubsection Electrodes\n"
@@ -57,6 +62,23 @@ void compare(const std::string& mesh, const std::string& supports, const std::st
               viscous.tangent / elastic.tangent);
 }
 
+/// Each law's price.
+void compare_laws()
+{
+  const auto measured = [](const std::string& law) {
+    return measure<3>("set File = meshes/bilayer.geo",
+                      "x3_min: u3, x2_min: u2, x2_max: u2, pin: u1", "mean dilatation", 2, 0, law);
+  };
+  const Microseconds plain = measured(NeoHookean::name);
+  std::printf(
+      "elastic laws, Q2 with mean dilatation in 3-D, times neo-Hookean: residual, tangent\n");
+  for (const Choice& law : elastic_laws()) {
+    const Microseconds found = measured(law.name);
+    std::printf("%-14s %6.2f %6.2f\n", law.name.c_str(), found.residual / plain.residual,
+                found.tangent / plain.tangent);
+  }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -71,4 +93,5 @@ int main(int argc, char** argv)
       compare<3>("set File = meshes/bilayer.geo", "x3_min: u3, x2_min: u2, x2_max: u2, pin: u1",
                  formulation, degree);
     }
+  compare_laws();
 }

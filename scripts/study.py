@@ -113,7 +113,10 @@ def read_material(path):
     text = path.read_text()
 
     def numbers(name):
-        return tuple(float(value) for value in prm_entry(text, name).split(","))
+        entry = prm_entry(text, name)
+        if ":" in entry:
+            raise StudyError(f"used.prm has a table for '{name}', which the exact states do not know.")
+        return tuple(float(value) for value in entry.split(","))
 
     return planar_exact.Material(
         alpha=numbers("Thermal expansion")[0], K=numbers("Bulk modulus")[0],

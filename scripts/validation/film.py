@@ -2,7 +2,7 @@
 
 The film [0, L1] x [0, L2] x [0, L3] has a nominal field E along x3 and principal stretches that make
 
-    psi(lambda_1, lambda_2, lambda_3) - eps/2 E^2 lambda_1 lambda_2/lambda_3 - P_1 lambda_1 - P_2 lambda_2
+    psi(lambda_1, lambda_2, lambda_3, E) - P_1 lambda_1 - P_2 lambda_2
 
 stationary in those that are free; P_1 and P_2 are dead loads. In plane strain lambda_2 = 1; sides that are
 held after a prestretch keep lambda_1 and lambda_2. Where the second derivatives by the free stretches lose
@@ -45,10 +45,8 @@ class Film:
     def residual(self, y, E):
         """Slopes of the energy by the free stretches in units of mu; E may be complex."""
         l = self.stretches(y)
-        maxwell = self.material.eps / 2 * E**2 * l[0] * l[1] / l[2]
-        slopes = self.material.slopes(l)
-        forces = [slopes[0] - maxwell / l[0] - self.load[0], slopes[1] - maxwell / l[1] - self.load[1],
-                  slopes[2] + maxwell / l[2]]
+        slopes, field = self.material.slopes(l), self.material.field_slopes(l, E)
+        forces = [slopes[i] - field[i] - (*self.load, 0.0)[i] for i in range(3)]
         return np.array([forces[i] for i in self.free]) / self.material.mu
 
     def hessian(self, y, E):

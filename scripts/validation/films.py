@@ -51,6 +51,10 @@ def plane_or_not(rng):
     """(how the film is held, the film but for loads, cells)."""
     m = draw.material(rng)
     how = str(rng.choice(["free", "dead load", "biaxial load", "held", "plane strain"]))
+    if how not in ("plane strain", "dead load") and rng.random() < 0.2:  # fibres that stay stretched
+        m = draw.with_fibres(rng, m)
+    if rng.random() < 0.3:
+        m = draw.polarised(rng, m)
     cells = [(1, 1, 1), (2, 2, 1), (2, 2, 2)][rng.integers(3)]
     mu = float(m.mu * m.theta / m.theta_0)
     if how == "plane strain":

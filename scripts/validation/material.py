@@ -1,4 +1,4 @@
-"""Point physics of doc/theory.md (eqs. 2 to 10), written anew for numpy.
+"""Point physics of doc/theory.md (eqs. 2 to 9), written anew for numpy.
 
 Every function takes complex numbers as well: tangents are complex-step derivatives of P and D, exact
 to rounding, and share no formula with the program's own.
@@ -7,6 +7,8 @@ to rounding, and share no formula with the program's own.
 from dataclasses import dataclass, replace
 
 import numpy as np
+
+from validation import laws
 
 STEP = 1e-30  # of a complex-step derivative: no difference is taken, so it cannot be too small
 
@@ -19,16 +21,18 @@ def law(coefficients, theta):
 
 @dataclass(frozen=True)
 class Material:
-    """An ideal dielectric rubber at a temperature theta, a number or one for each point."""
+    """A dielectric rubber at a temperature theta, a number or one for each point."""
 
     elastic: str = "neo-Hookean"
-    parameter: float = 0.0  # J_m of Gent, share m of Mooney-Rivlin
+    parameter: object = 0.0  # of the elastic law (laws.py)
     mu_law: tuple = (1.5180 / 3, -1.078 / 3, 0.2001 / 3)
     eps_law: tuple = (3.98e-5,)
     K: float = 56.552
     alpha: float = 0.0
     theta_0: float = 293.0
     theta: object = 293.0
+    dielectric: str = "ideal"
+    electric: object = 0.0  # c_1, c_2 of an electrostrictive dielectric, P_s of a saturating one
 
     def at(self, theta):
         """The same material at another temperature."""
@@ -53,34 +57,20 @@ class Material:
         """dpsi/dlambda_i without the field, of three principal stretches (first index)."""
         s, f = self.split, self.theta / self.theta_0
         a = [s * stretch for stretch in stretches]
-        first = a[0] ** 2 + a[1] ** 2 + a[2] ** 2
         volume = self.K * np.log(a[0] * a[1] * a[2])
-        result = []
-        for a_i in a:
-            if self.elastic == "Gent":
-                shear = a_i * self.parameter / (self.parameter - first + 3) - 1 / a_i
-            else:  # neo-Hookean is Mooney-Rivlin without a second share
-                m = self.parameter if self.elastic == "Mooney-Rivlin" else 0.0
-                shear = (1 - m + m * (first - a_i**2)) * a_i - (1 + m) / a_i
-            result.append(f * s * (self.mu * shear + volume / a_i))
-        return np.array(result)
+        shear = laws.slopes(self.elastic, self.parameter, a)
+        return np.array([f * s * (self.mu * shear[i] + volume / a[i]) for i in range(3)])
+
+    def field_slopes(self, stretches, E):
+        """What a nominal field along lambda_3 takes from them."""
+        return laws.field_slopes(self.dielectric, self.electric, self.eps, stretches, E)
 
     def stress(self, F, E):
         """(P, D) of a deformation gradient and a nominal field."""
         s, f = self.split, self.theta / self.theta_0
-        G, J = np.linalg.inv(F).T, np.linalg.det(F)
-        A = s * F
-        C = A.T @ A
-        first = np.trace(C)
-        if self.elastic == "Gent":
-            shear = self.parameter / (self.parameter - first + 3) * A - G / s
-        else:
-            m = self.parameter if self.elastic == "Mooney-Rivlin" else 0.0
-            shear = (1 - m + m * first) * A - m * A @ C - (1 + m) * G / s
-        g = G @ E
-        d = G.T @ g
-        P = f * s * self.mu * shear + f * self.K * np.log(s**3 * J) * G
-        return (P + self.eps * J * (np.outer(g, d) - (g @ g) / 2 * G), self.eps * J * d)
+        P, D = laws.field_stress(self.dielectric, self.electric, self.eps, F, E)
+        volume = self.K * np.log(s**3 * np.linalg.det(F)) * np.linalg.inv(F).T
+        return P + f * (s * self.mu * laws.stress(self.elastic, self.parameter, s * F) + volume), D
 
     def tangent(self, F, E):
         """The 12 x 12 second derivatives of psi by (Grad u, Grad phi), E = -Grad phi."""

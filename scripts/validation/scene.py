@@ -8,12 +8,18 @@ import subprocess
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import numpy as np
+
 import launch
 import study
+
+from validation import laws
 
 ROOT = Path(__file__).resolve().parents[2]
 LAYERS = Path(__file__).resolve().parent / "layers.geo"
 ELEMENTS = (("enhanced strain", 1), ("mean dilatation", 1), ("mean dilatation", 2), ("standard", 2))
+OWN_ENTRIES = {"Gent": "Gent limit", "Mooney-Rivlin": "Second share", "Yeoh": "Yeoh ratios",
+               "electrostrictive": "Electrostriction", "saturating": "Saturation polarisation"}
 TIMEOUT = -1000  # in place of an exit code
 OF_THE_PAPER = (("selective reduced", 1), ("selective reduced", 2))
 
@@ -93,16 +99,32 @@ class Run:
         return f"exit {self.exit_code}, \"{self.report.get('reason') or self.last_line}\""
 
 
+def listed(numbers):
+    """As an entry has them."""
+    return ", ".join(repr(float(number)) for number in numbers)
+
+
+def own_entries(material):
+    """Those that only one law has."""
+    entries = {}
+    for law, parameter in ((material.elastic, material.parameter), (material.dielectric, material.electric)):
+        if law == "Ogden":
+            entries["Ogden terms"] = ", ".join(f"{alpha!r}: {mu!r}" for alpha, mu in laws.moduli(parameter))
+        elif law == "fibres":
+            k_1, k_2, *angles = parameter
+            entries.update({"Fibre stiffness": listed(k_1 * c for c in material.mu_law),
+                            "Fibre exponent": k_2, "Fibre angles": listed(angles)})
+        elif law in OWN_ENTRIES:
+            entries[OWN_ENTRIES[law]] = listed(np.atleast_1d(parameter))
+    return entries
+
+
 def material_entries(name, material):
     """Entries of a section of Materials."""
-    entries = {"Elastic law": material.elastic, "Bulk modulus": material.K,
-               "Shear modulus": ", ".join(repr(float(c)) for c in material.mu_law),
-               "Permittivity": ", ".join(repr(float(c)) for c in material.eps_law),
-               "Thermal expansion": material.alpha, "Reference temperature": material.theta_0}
-    if material.elastic == "Gent":
-        entries["Gent limit"] = material.parameter
-    if material.elastic == "Mooney-Rivlin":
-        entries["Second share"] = material.parameter
+    entries = {"Elastic law": material.elastic, "Dielectric law": material.dielectric,
+               "Bulk modulus": material.K, "Shear modulus": listed(material.mu_law),
+               "Permittivity": listed(material.eps_law), "Thermal expansion": material.alpha,
+               "Reference temperature": material.theta_0, **own_entries(material)}
     return {f"Materials/{name}/{entry}": value for entry, value in entries.items()}
 
 

@@ -151,11 +151,16 @@ std::string default_parameters()
 {
   // Materials and observables have sections once they are named; those of a free name have a Kind.
   std::string regions, materials;
-  for (const Choice& law : elastic_laws()) {
+  const auto add = [&](const std::string& entry, const Choice& law) {
     const std::string name = regions.empty() ? "elastomer" : "elastomer (" + law.name + ")";
     regions += (regions.empty() ? "" : ", ") + law.name + ": " + name;
-    materials += "subsection " + name + "\n set Elastic law = " + law.name + "\nend\n";
-  }
+    materials += "subsection " + name + "\n set " + entry + " = " + law.name + "\nend\n";
+  };
+  for (const Choice& law : elastic_laws())
+    add("Elastic law", law);
+  const std::vector<Choice> dielectrics = dielectric_laws();
+  for (std::size_t i = 1; i < dielectrics.size(); ++i) // the first has been the default above
+    add("Dielectric law", dielectrics[i]);
   regions += ", with branches: viscoelastic";
   materials += "subsection viscoelastic\n set Branches = " + branch_laws().front().name + "\nend\n";
   const ParameterFile example = ParameterFile::from_text(

@@ -1,9 +1,14 @@
 #include <thelma/assembly/cell_loop.h>
+#include <thelma/elements/basis.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <boost/serialization/utility.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace thelma
 {
@@ -144,6 +149,34 @@ Energies CellLoop<dim>::energies() const
   Energies sum;
   for_each([&](const CellView<dim>& view) { sum.add(1., element->energies(view)); });
   return sum;
+}
+
+/// The hottest of such points speaks for all.
+template <int dim>
+std::string CellLoop<dim>::table_defect() const
+{
+  if (!layout.has(Field::temperature))
+    return "";
+  const Basis<dim> basis(layout.scalar_element(), element->law_points());
+  std::pair<double, std::string> found; // temperature in K, sentence
+  for_each([&](const CellView<dim>& view) {
+    for (unsigned int q = 0; q < basis.n_points; ++q) {
+      double theta = 0.;
+      for (unsigned int a = 0; a < basis.n_nodes; ++a)
+        theta += basis.N[q * basis.stride + a] * view.x[view.cell.unknown(a, Field::temperature)];
+      if (theta > found.first)
+        if (std::string defect = view.cell.material->table_defect(theta); !defect.empty())
+          found = {theta, std::move(defect)};
+    }
+  });
+  for (const auto& of_rank : dealii::Utilities::MPI::all_gather(layout.communicator(), found))
+    found = std::max(found, of_rank);
+  if (found.second.empty())
+    return "";
+  std::ostringstream text;
+  text << found.second << ", without the " << std::setprecision(10) << found.first
+       << " K of a point in the body; add rows that reach it";
+  return text.str();
 }
 
 template class CellLoop<2>;

@@ -10,9 +10,9 @@ namespace thelma
 namespace
 {
 
-std::string each_value(const std::string& pattern)
+std::string each(const std::string& what, const std::string& pattern)
 {
-  return pattern == "[Anything]" ? "" : ", each value " + in_words(pattern);
+  return pattern == "[Anything]" ? "" : ", each " + what + " " + in_words(pattern);
 }
 
 } // namespace
@@ -31,12 +31,12 @@ std::string in_words(const std::string& pattern)
   if (const std::vector<std::string> known = choices(pattern); !known.empty())
     return "one of " + comma_separated(known);
   const std::string length = " of length \\d+\\.\\.\\.(\\d+) ";
-  if (std::regex_search(pattern, found, std::regex("^\\[Map of <.*>:<(.*)>" + length)))
+  if (std::regex_search(pattern, found, std::regex("^\\[Map of <(.*)>:<(.*)>" + length)))
     return "`name: value`" +
-           std::string(found[2] == "1" ? "" : ", or several separated by commas") +
-           each_value(found[1]);
+           std::string(found[3] == "1" ? "" : ", or several separated by commas") +
+           each("name", found[1]) + each("value", found[2]);
   if (std::regex_search(pattern, found, std::regex("^\\[List of <(.*)>" + length)))
-    return "a list of at most " + found[2].str() + each_value(found[1]);
+    return "a list of at most " + found[2].str() + each("value", found[1]);
   if (std::regex_search(
           pattern, found,
           std::regex("^\\[(Integer|Double)(?: (?:range )?(\\S+)\\.\\.\\.(\\S+) .*)?\\]$"))) {
@@ -45,6 +45,8 @@ std::string in_words(const std::string& pattern)
            (found[2].length() > 0 && found[2] != "-MAX_DOUBLE" ? " from " + found[2].str() : "") +
            (has_end ? " to " + found[3].str() : "");
   }
+  if (std::regex_search(pattern, found, std::regex("^\\[Quantity ([^;]*);")))
+    return "a number" + (found[1] == "1" ? "" : " in " + found[1].str());
   return pattern == "[Bool]" ? "true or false" : pattern;
 }
 

@@ -50,6 +50,12 @@ void declare(dealii::ParameterHandler& prm, const std::string& entry, Value& val
   });
 }
 
+const Quantity& temperature()
+{
+  static const Quantity kelvin("K", 1., 1e4);
+  return kelvin;
+}
+
 /// A number of the unit @p from (in SI units) as one of the unit @p to.
 double converted(const double number, const Unit& from, const Unit& to)
 {
@@ -72,8 +78,18 @@ Quantity Quantity::of_difference() const
   return difference;
 }
 
+Quantity Quantity::at_temperatures() const
+{
+  Quantity value = *this;
+  value.may_be_in_table = true;
+  return value;
+}
+
 bool Quantity::match(const std::string& text) const
 {
+  if (const std::size_t colon = text.find(':'); may_be_in_table && colon != std::string::npos)
+    return temperature().match(text.substr(0, colon)) &&
+           Quantity(unit, smallest, largest).match(text.substr(colon + 1));
   try {
     return dealii::Utilities::trim(text).find_last_not_of("+-.0123456789eE") == std::string::npos &&
            std::isfinite(value(text));
@@ -88,7 +104,7 @@ std::string Quantity::description(const OutputStyle style) const
     return "a quantity in " + unit;
   std::ostringstream text;
   text << std::setprecision(17) << "[Quantity " << unit << ";" << smallest << ";" << largest << ";"
-       << is_difference << "]";
+       << is_difference << ";" << may_be_in_table << "]";
   return text.str();
 }
 
@@ -133,12 +149,13 @@ double Quantity::value(const std::string& written) const
 std::unique_ptr<Quantity> Quantity::within(const std::string& description)
 {
   std::smatch parts;
-  static const std::regex form("\\[Quantity ([^;]*);([^;]*);([^;]*);([01])\\]");
+  static const std::regex form("\\[Quantity ([^;]*);([^;]*);([^;]*);([01]);([01])\\]");
   if (!std::regex_search(description, parts, form))
     return nullptr;
   auto quantity = std::make_unique<Quantity>(parts[1], std::strtod(parts[2].str().c_str(), nullptr),
                                              std::strtod(parts[3].str().c_str(), nullptr));
   quantity->is_difference = parts[4] == "1";
+  quantity->may_be_in_table = parts[5] == "1";
   return quantity;
 }
 
@@ -147,23 +164,25 @@ std::string Quantity::plain(const std::string& text, const std::string& descript
   const std::unique_ptr<Quantity> quantity = within(description);
   if (!quantity)
     return text;
-  const auto number = [&](const std::string& given) {
-    const double value = quantity->value(given);
+  const auto number = [](const Quantity& wanted, const std::string& given) {
+    const double value = wanted.value(given);
     // What has no unit stays as it was written.
-    return quantity->match(given) ? dealii::Utilities::trim(given) : text_of(value);
+    return wanted.match(given) ? dealii::Utilities::trim(given) : text_of(value);
   };
   if (description.rfind("[Quantity", 0) == 0)
-    return number(text);
+    return number(*quantity, text);
   std::string result;
   const bool is_map = description.rfind("[Map", 0) == 0;
   for (const std::string& part : dealii::Utilities::split_string_list(text)) {
-    const std::size_t colon = is_map ? part.find(':') : std::string::npos;
-    if (is_map && colon == std::string::npos)
+    const std::size_t colon =
+        is_map || quantity->may_be_in_table ? part.find(':') : std::string::npos;
+    const bool has_colon = colon != std::string::npos;
+    if (is_map && !has_colon)
       throw InputError("'" + part + "' has no value; write `name: value, name: value`");
-    result +=
-        (result.empty() ? "" : ", ") + (is_map ? dealii::Utilities::trim(part.substr(0, colon)) +
-                                                     ": " + number(part.substr(colon + 1))
-                                               : number(part));
+    const std::string before = has_colon ? dealii::Utilities::trim(part.substr(0, colon)) : "";
+    result += result.empty() ? "" : ", ";
+    result += !has_colon ? "" : (is_map ? before : number(temperature(), before)) + ": ";
+    result += number(*quantity, has_colon ? part.substr(colon + 1) : part);
   }
   return result;
 }
@@ -180,6 +199,31 @@ void add_quantity(dealii::ParameterHandler& prm, const std::string& entry,
 {
   declare(prm, entry, values, sentence + quantity.unit_sentence(),
           dealii::Patterns::List(quantity, least, most));
+}
+
+void add_table_quantity(dealii::ParameterHandler& prm, const std::string& entry,
+                        const std::vector<double>& coefficients, const std::string& sentence,
+                        const Quantity& quantity, const ReadTable& read)
+{
+  constexpr unsigned int most = 100;
+  prm.declare_entry(
+      entry, text_of(coefficients),
+      dealii::Patterns::List(quantity.at_temperatures(), coefficients.empty() ? 0 : 1, most),
+      sentence + quantity.unit_sentence());
+  prm.add_action(entry, [read](const std::string& text) {
+    std::vector<double> temperatures, values;
+    for (const std::string& row : dealii::Utilities::split_string_list(text)) {
+      const std::size_t colon = row.find(':');
+      if (colon != std::string::npos)
+        temperatures.push_back(std::stod(row.substr(0, colon)));
+      values.push_back(std::stod(colon == std::string::npos ? row : row.substr(colon + 1)));
+    }
+    if (!temperatures.empty() && temperatures.size() < values.size())
+      throw InputError("'" + text +
+                       "' has temperatures for some values only; write a table `273: value, 293: "
+                       "value`, or coefficients");
+    read(temperatures, values);
+  });
 }
 
 void add_quantity(dealii::ParameterHandler& prm, const std::string& entry,

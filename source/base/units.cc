@@ -161,6 +161,7 @@ std::string name_of_dimension(const Dimension& dimension)
       {"V", "a voltage"},
       {"C", "a charge"},
       {"A", "a current"},
+      {"C/m^2", "a charge per area"},
       {"g", "a mass"},
       {"N", "a force"},
       {"Pa", "a pressure"},

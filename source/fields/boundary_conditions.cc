@@ -177,15 +177,6 @@ void BoundaryConditions<dim>::connect(const std::string& name)
 }
 
 template <int dim>
-std::vector<double> BoundaryConditions<dim>::wall_temperatures() const
-{
-  std::vector<double> all;
-  for (const auto& wall : temperatures)
-    all.push_back(wall.second);
-  return all;
-}
-
-template <int dim>
 void BoundaryConditions<dim>::fix_temperatures(const Mesh<dim>& mesh, const DofLayout<dim>& layout)
 {
   const std::string place = "section Temperature, entry 'Fixed'";

@@ -77,6 +77,17 @@ std::string Branches::defect(const double theta) const
   return "";
 }
 
+std::string Branches::table_defect(const double theta) const
+{
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string defect =
+        std::visit([&](const auto& law) { return law.table_defect(theta); }, list[i]);
+    if (!defect.empty())
+      return "/Branch " + std::to_string(i + 1) + defect;
+  }
+  return "";
+}
+
 void Branches::begin_step(const StepTimes& times, const double* old, const double* older,
                           double* step) const
 {

@@ -34,6 +34,33 @@ void require_positive(const std::string& material, const std::string& entry, con
                      as_text(value) + where + " but must be positive");
 }
 
+void require_in_tables(const Material& material, const KnownTemperature& known)
+{
+  if (const std::string defect = material.table_defect(known.theta); !defect.empty())
+    throw InputError(defect + ", without the " + as_text(known.theta) + " K of " + known.entry +
+                     "; add rows that reach it");
+}
+
+/// An energy that a parameter file brings along, in the body without load, which has expanded
+/// freely.
+void require_stable_rest(const Material& material, const double theta)
+{
+  constexpr double negligible = 1e-6;
+  const std::string start = "section Materials/" + material.name + ", entry 'Energy': at " +
+                            as_text(theta) + " K the body without load has a ";
+  const double mu = material.shear_modulus(theta);
+  if (!(mu > 0.))
+    throw InputError(start + "shear modulus of " + as_text(mu) + " MPa, which must be positive");
+  const double stretch = 1. / material.thermal.split(theta);
+  const Tensor3<2> F({{stretch, 0., 0.}, {0., stretch, 0.}, {0., 0., stretch}});
+  FirstDerivatives<> first{};
+  material.evaluate({F, Tensor3<1>(), theta}, first);
+  const double W_F = first.P[0][0] * stretch * material.thermal.theta_0 / theta;
+  if (!(std::abs(W_F) <= negligible * mu))
+    throw InputError(start + "stress of " + as_text(W_F) + " MPa; add " + as_text(-W_F) +
+                     "*log(J) to the energy");
+}
+
 std::unique_ptr<Material> create(const std::string& elastic, const std::string& dielectric)
 {
   std::unique_ptr<Material> material;
@@ -71,6 +98,7 @@ MaterialLibrary::MaterialLibrary(const ParameterFile& file)
       declare_laws(prm, name, entry);
     });
     entry.material = create(entry.elastic, entry.dielectric);
+    entry.material->name = name;
     entry.material->set_branches(Branches(entry.branches));
     entry.has_section = file.has_section({"Materials", name});
   }
@@ -122,8 +150,9 @@ void MaterialLibrary::check(const double theta)
   if (materials.empty())
     throw InputError("section Regions, entry 'Materials': it is empty or missing; write `set "
                      "Materials = region: material`");
-  check_at(theta);
+  check_at({theta, "Temperature/Value"});
   for (const auto& [name, entry] : materials) {
+    require_in_tables(*entry.material, {entry.material->thermal.theta_0, "Reference temperature"});
     try {
       Thermal& thermal = entry.material->thermal;
       thermal.follow(entry.material->shear_modulus(thermal.theta_0));
@@ -134,17 +163,21 @@ void MaterialLibrary::check(const double theta)
   }
 }
 
-void MaterialLibrary::check_at(const double theta) const
+void MaterialLibrary::check_at(const KnownTemperature& known) const
 {
+  const double theta = known.theta;
   const std::string at = " at " + as_text(theta) + " K";
   for (const auto& [name, entry] : materials) {
-    require_positive(name, "Shear modulus", entry.material->shear_modulus(theta), at);
+    require_in_tables(*entry.material, known);
+    if (entry.elastic == ExpressionLaw::name)
+      require_stable_rest(*entry.material, theta);
+    else
+      require_positive(name, "Shear modulus", entry.material->shear_modulus(theta), at);
     if (const std::string wrong = entry.material->branch_defect(theta); !wrong.empty())
       throw InputError("section Materials/" + name + ", entry '" + wrong + "': the value" + at +
                        " must be positive");
     require_positive(name, "Permittivity", entry.material->permittivity(theta), at);
-    constexpr double vacuum = 8.8541878e-6; // N/kV^2
-    const double relative = entry.material->permittivity(theta) / vacuum;
+    const double relative = entry.material->permittivity(theta) / vacuum_permittivity;
     if (relative > 1e5)
       throw InputError("section Materials/" + name + ", entry 'Permittivity': the value is " +
                        as_text(relative) +

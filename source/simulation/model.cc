@@ -67,8 +67,9 @@ Model<dim>::check(const std::string& folder,
   if (!stand.layout)
     return stand;
   stand.conditions = found.collect([&]() { conditions.setup(mesh, layout); });
-  for (const double wall : conditions.wall_temperatures())
-    found.collect([&]() { materials.check_at(wall); });
+  if (stand.conditions)
+    for (const auto& wall : conditions.walls())
+      found.collect([&]() { materials.check_at({wall.second, "Temperature/Fixed"}); });
   const bool has_loads = found.collect([&]() {
     loads.setup({mesh, layout, stand.conditions ? &conditions : nullptr,
                  has_loading ? &loading : nullptr, theta_start, theta});

@@ -110,8 +110,10 @@ void Verdict<dim>::on_time()
 {
   const TimeSteps<dim>& steps = strategies.time_steps;
   const double failed = steps.last_failure().load;
-  const bool turns = model.state.estimated_limit() <= failed + 2. * model.state.recent_span();
-  if (steps.last_failure().newton.converged || !turns)
+  const bool turns = model.layout.has(Field::potential) &&
+                     model.state.estimated_limit() <= failed + 2. * model.state.recent_span();
+  const NewtonReport& newton = steps.last_failure().newton;
+  if (newton.converged || newton.refusal == Refusal::no_law || !turns)
     return end_here(EndReason::no_convergence, steps.why_exhausted());
   end_here(EndReason::pull_in, between_times(failed));
   if (!model.loading.expects_pull_in()) {

@@ -6,6 +6,23 @@
 
 namespace thelma
 {
+namespace
+{
+
+/// At an iterate whose @p residual is not admissible; @p where: which one that is.
+NewtonReport without_residual(const NonlinearSystem& system, const ResidualReport& residual,
+                              const std::string& where, NewtonReport report)
+{
+  if (residual.min_det_F > 0.)
+    report.reason = system.law_defect();
+  if (report.reason.empty())
+    report.reason = residual.defect() + where;
+  else
+    report.refusal = Refusal::no_law;
+  return report;
+}
+
+} // namespace
 
 void Newton::declare(dealii::ParameterHandler& prm)
 {
@@ -82,7 +99,7 @@ NewtonReport Newton::iterate(NonlinearSystem& system, bool reuse) const
   report.residuals.push_back(residual.norm);
   report.min_det_F = residual.min_det_F;
   if (!residual.admissible())
-    return fail(residual.defect() + " at the predicted state");
+    return without_residual(system, residual, " at the predicted state", report);
 
   while (!report.converged) {
     if (report.iterations == max_iterations)
@@ -100,7 +117,8 @@ NewtonReport Newton::iterate(NonlinearSystem& system, bool reuse) const
     double step = 1.;
     for (;; step /= 2.) {
       if (step < smallest_step)
-        return fail(residual.defect() + " however short the step along the correction");
+        return without_residual(system, residual, " however short the step along the correction",
+                                report);
       system.move_to(step);
       residual = system.residual();
       if (residual.admissible())

@@ -49,6 +49,8 @@ ClassifiedEnd classify_end(DiscreteSystem<dim>& system, State& state, const Refu
 {
   constexpr double negligible = 0.5, all = 0.95;
   ClassifiedEnd end;
+  if (refusal == Refusal::no_law)
+    return end;
   end.limit = turning_load(system, state);
   const bool turns = end.limit < farthest;
   if (turns)

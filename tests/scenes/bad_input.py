@@ -238,6 +238,13 @@ READING = [
      ["Output, entry 'Observables'", "'left probe'", "only letters"]),
     ("negative modulus", ["--set", "Materials/elastomer/Shear modulus=-1"],
      ["Shear modulus", "-1", "positive"]),
+    ("Ogden terms without an exponent", ["--set", "Materials/elastomer/Elastic law=Ogden",
+                                         "--set", "Materials/elastomer/Ogden terms=one: 0.6"],
+     ["Ogden terms", "each name a number", "each value a number in MPa"]),
+    ("Ogden terms that soften", ["--set", "Materials/elastomer/Elastic law=Ogden",
+                                 "--set", "Materials/elastomer/Shear modulus=",
+                                 "--set", "Materials/elastomer/Ogden terms=-2: 0.1"],
+     ["Shear modulus", "-0.1", "positive"]),
     ("unreadable force", ["--set", "Loads/Force=top: 1 0", "--set", "Loading/Stages=force 1"],
      ["Force", "'1 0'", "3 components in N"]),
     ("force of nothing", ["--set", "Loads/Force=top: 0 0 0", "--set", "Loading/Stages=force 1"],
@@ -256,6 +263,20 @@ READING = [
     ("infinite amplitude", ["--set", "Temperature/Model=transient",
                             "--set", "Time/Voltage amplitude=1/t"],
      ["Voltage amplitude", "inf at t = 0"]),
+]
+
+# Energies of prm/verification/own_energy.prm, and what the sentence must say.
+ENERGIES = [
+    ("mu*(I3 - 3), mu: 0.05", ["'mu*(I3 - 3)'", "unknown name 'I3'", "did you mean 'I1'", "theta, mu, exp"]),
+    ("0.05*(I1 - 3", ["'0.05*(I1 - 3'", "parenthesis is not closed"]),
+    ("0.05*(I1 - 3) +", ["missing at its end"]),
+    ("0.05*I1 I2", ["from 'I2' on"]),
+    ("0.05*J^I1", ["exponent", "exp("]),
+    ("mu*(I1 - 3), mu", ["'mu' has no value", "`name: value`"]),
+    ("J*(I1 - 3), J: 1", ["'J' has a meaning already"]),
+    ("", ["empty", "write an energy"]),
+    ("-0.05*(I1 - 3 - 2*log(J))", ["-0.1", "positive"]),
+    ("0.05*(I1 - 3)", ["293 K", "stress of 0.1 MPa", "add -0.1*log(J)"]),
 ]
 
 # What is found once there is a mesh, or by looking for it, and faults of the command line: on any
@@ -445,6 +466,18 @@ def check_other_file(program):
     require(text.replace("\n", "").isprintable(), "unprintable characters")
 
 
+def check_energies(program, folder, all_ranks):
+    """Formulas of an elastic law."""
+    for (energy, words), ranks in itertools.product(ENERGIES, all_ranks):
+        code, text = complaint(program, [
+            "prm/verification/own_energy.prm", "--output", f"{folder}/out",
+            "--set", f"Materials/elastomer/Energy={energy}"], ranks)
+        print(f"energy {energy} ({ranks}): {text.strip()}")
+        require(code == 1 and len(sentences(text)) == 1, f"exit code {code}, {len(sentences(text))} lines")
+        for word in ["section Materials/elastomer, entry 'Energy'", *words]:
+            require(word in text, f"no word of {word}")
+
+
 def check_cases(program, folder, all_ranks):
     """Every case, several at a time."""
     def answer(run):
@@ -485,6 +518,7 @@ def main():
         (Path(folder) / "plane.geo").write_text(FLAT.format("0, 0, 1"))
         check_several(program, Path(folder), all_ranks)
         check_other_file(program)
+        check_energies(program, folder, all_ranks)
         check_cases(program, folder, all_ranks)
 
 

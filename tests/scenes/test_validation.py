@@ -35,10 +35,16 @@ class Point(unittest.TestCase):
 
     def test_laws_agree(self):
         """Slopes by principal stretches are the stress without a field; tangents are symmetric."""
-        for law, parameter in (("neo-Hookean", 0.0), ("Gent", 30.0), ("Mooney-Rivlin", 0.4)):
-            m, l = Material(law, parameter, alpha=1e-4, theta=330.0), (1.4, 0.8, 0.95)
-            P, _ = m.stress(np.diag(l), np.zeros(3))
-            self.assertLess(np.max(np.abs(m.slopes(l) - np.diag(P))), 1e-12)
+        for law, parameter, dielectric, electric in (
+                ("neo-Hookean", 0.0, "ideal", 0.0), ("Gent", 30.0, "ideal", 0.0), ("Mooney-Rivlin", 0.4, "ideal", 0.0),
+                ("Yeoh", (-0.01, 4e-4), "electrostrictive", (0.2, -0.01)),
+                ("Ogden", ((1.3, 0.9), (-2.0, 0.1)), "saturating", 4e-4),
+                ("fibres", (2.0, 0.1, 30.0, -30.0), "saturating", 0.01)):
+            m, l = Material(law, parameter, alpha=1e-4, theta=330.0, dielectric=dielectric, electric=electric), (
+                1.4, 0.8, 0.95)
+            for E in (0.0, 20.0):
+                P, _ = m.stress(np.diag(l), np.array([0.0, 0.0, E]))
+                self.assertLess(np.max(np.abs(m.slopes(l) - m.field_slopes(l, E) - np.diag(P))), 1e-12)
             A = m.tangent(np.diag(l) + 0.1 * np.eye(3)[::-1], np.array([3.0, 1.0, 20.0]))
             self.assertLess(np.max(np.abs(A - A.T)), 1e-12 * np.max(np.abs(A)))
 

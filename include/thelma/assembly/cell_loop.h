@@ -48,6 +48,10 @@ public:
   /// mean square over the points that have some.
   double memory_error() const;
 
+  /// The table of a law that does not reach the temperature of a point of any rank, a sentence;
+  /// empty if all do.
+  std::string table_defect() const;
+
   /// What the own cells store in mJ, in plane strain per mm.
   Energies energies() const;
 

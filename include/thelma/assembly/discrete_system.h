@@ -32,6 +32,7 @@ public:
   void begin() override;
   bool follow() override;
   ResidualReport residual() override;
+  std::string law_defect() const override { return cells.table_defect(); }
   LinearReport linear_solve(bool reuse) override;
   void move_to(double step) override;
   double rounding() override;

@@ -2,6 +2,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -22,7 +23,10 @@ public:
   /// Of a difference of temperatures, which degC cannot give.
   Quantity of_difference() const;
 
-  /// Whether @p text is a plain number between the limits.
+  /// One that a temperature may precede, as in a table `273: 1, 293: 2`.
+  Quantity at_temperatures() const;
+
+  /// Whether @p text is a plain number between the limits, or one at a temperature.
   bool match(const std::string& text) const override;
   std::string description(OutputStyle style = Machine) const override;
   std::unique_ptr<dealii::Patterns::PatternBase> clone() const override;
@@ -44,7 +48,7 @@ private:
 
   std::string unit;
   double smallest, largest;
-  bool is_difference = false;
+  bool is_difference = false, may_be_in_table = false;
 };
 
 /// Declare a number in a unit; the @p sentence need not name it.
@@ -55,6 +59,13 @@ void add_quantity(dealii::ParameterHandler& prm, const std::string& entry, doubl
 void add_quantity(dealii::ParameterHandler& prm, const std::string& entry,
                   std::vector<double>& values, const std::string& sentence,
                   const Quantity& quantity, unsigned int least = 1, unsigned int most = 10);
+
+/// Coefficients, `1, 2`, or a table of values at temperatures in K, `273: 1, 293: 2`; nothing where
+/// that is the default. @p read gets the temperatures, of coefficients none, and the numbers.
+using ReadTable = std::function<void(const std::vector<double>&, const std::vector<double>&)>;
+void add_table_quantity(dealii::ParameterHandler& prm, const std::string& entry,
+                        const std::vector<double>& coefficients, const std::string& sentence,
+                        const Quantity& quantity, const ReadTable& read);
 
 /// One for each name, `a: 1, b: 2`.
 void add_quantity(dealii::ParameterHandler& prm, const std::string& entry,

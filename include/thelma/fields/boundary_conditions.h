@@ -53,11 +53,11 @@ public:
   /// Temperature unknowns of the walls with their value in K.
   const std::map<dealii::types::global_dof_index, double>& heated() const { return heated_dofs; }
 
+  /// Temperatures of the walls in K by their names.
+  const std::map<std::string, double>& walls() const { return temperatures; }
+
   /// Unconstrained unknowns of @p field over all ranks.
   dealii::types::global_dof_index n_free(const DofLayout<dim>& layout, Field field) const;
-
-  /// Prescribed temperatures in K.
-  std::vector<double> wall_temperatures() const;
 
 private:
   using Values = std::map<dealii::types::global_dof_index, double>;

@@ -39,6 +39,9 @@ public:
   /// The entry, such as `Branch 1/Modulus`, that does not allow @p theta; empty if all is well.
   std::string defect(double theta) const;
 
+  /// As TemperatureLaw has it, with the section of the branch.
+  std::string table_defect(double theta) const;
+
   /// The step from the last accepted states, @p old (null: the body at rest, without time to flow)
   /// and @p older (null: there is none).
   void begin_step(const StepTimes& times, const double* old, const double* older,

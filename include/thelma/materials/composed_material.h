@@ -90,8 +90,9 @@ public:
     Split<double> em(*this, state, kin);
     branches.add_first(em.F, em.kin, state.theta, state.history, em.d);
     const double theta = state.theta;
-    const double entropy = thermal.coupling_entropy(theta, first_derivatives(state).eta);
-    return {theta / thermal.theta_0 * em.d.W, -dielectric.psi(state, kin),
+    const FirstDerivatives<> first = first_derivatives(state);
+    const double entropy = thermal.coupling_entropy(theta, first.eta);
+    return {theta / thermal.theta_0 * em.d.W, dielectric.psi(state, kin) + state.E * first.D,
             thermal.coupling_psi(theta) + theta * entropy, entropy};
   }
 
@@ -156,6 +157,15 @@ public:
                     const double* now) const override
   {
     return branches.step_error(times, old, older, now);
+  }
+
+  std::string table_defect(const double theta) const override
+  {
+    for (const std::string& defect : {elastic.table_defect(theta), dielectric.table_defect(theta),
+                                      branches.table_defect(theta)})
+      if (!defect.empty())
+        return "section Materials/" + name + defect;
+    return "";
   }
 
   double branch_modulus(const double theta) const override { return branches.modulus(theta); }

@@ -2,6 +2,7 @@
 
 #include <thelma/base/lanes.h>
 
+#include <array>
 #include <cmath>
 
 namespace thelma
@@ -41,6 +42,52 @@ private:
     log_shc = 2. * t * sum;
     return x / 3. * over / (1. + z);
   }
+};
+
+/// 3 L(x)/x, its mean from 0 to z = x^2, which is 6 ln(sinh x / x)/z, and their slopes as functions
+/// of z, smooth at 0: their series below 1. Without branches.
+template <typename Number>
+class LangevinOfSquare
+{
+public:
+  explicit LangevinOfSquare(const Number& z) : ratio(0.), mean(0.), slope(0.), mean_slope(0.)
+  {
+    using std::sqrt;
+    for (unsigned int k = n; k-- > 0;) {
+      const double a = series[k];
+      slope = ratio + z * slope;
+      mean_slope = mean + z * mean_slope;
+      ratio = a + z * ratio;
+      mean = a / (k + 1.) + z * mean;
+    }
+    const Number x = sqrt(z);
+    const Langevin<Number> L(x);
+    const Number high = 3. * L.value / x, high_mean = 6. * L.log_shc / z;
+    slope = below(z, 1., slope, Number(1.5 * (L.slope - L.value / x) / z));
+    mean_slope = below(z, 1., mean_slope, Number((high - high_mean) / z));
+    ratio = below(z, 1., ratio, high);
+    mean = below(z, 1., mean, high_mean);
+  }
+
+  Number ratio, mean, slope, mean_slope;
+
+private:
+  static constexpr unsigned int n = 18; ///< z^k is multiplied by 1/pi^(2k), as far as rounding
+
+  /// Coefficients of the ratio A, for which L' = 1 - L^2 - 2 L/x is A + 2/3 z A' = 1 - z A^2/9.
+  static constexpr std::array<double, n> coefficients()
+  {
+    std::array<double, n> a{{1.}};
+    for (unsigned int k = 1; k < n; ++k) {
+      double square = 0.;
+      for (unsigned int i = 0; i < k; ++i)
+        square += a[i] * a[k - 1 - i];
+      a[k] = -square / (9. + 6. * k);
+    }
+    return a;
+  }
+
+  static constexpr std::array<double, n> series = coefficients();
 };
 
 /// x with L(x) = r for 0 < r < 1, as exactly as r has it; no number from r = 1 on. Kroeger's

@@ -16,6 +16,12 @@ std::vector<Choice> elastic_laws();
 std::vector<Choice> dielectric_laws();
 std::vector<Choice> branch_laws();
 
+/// A temperature that a scene is known to have, in K, and the entry that says so.
+struct KnownTemperature {
+  double theta;
+  std::string entry;
+};
+
 /// Materials by name, and which one fills each named region of the mesh.
 class MaterialLibrary
 {
@@ -28,8 +34,8 @@ public:
   /// Finds moduli that follow others. Throws InputError for those that make no sense at @p theta.
   void check(double theta);
 
-  /// The same of what depends on the temperature, at @p theta in K.
-  void check_at(double theta) const;
+  /// The same of what depends on the temperature, where a scene is known to have it.
+  void check_at(const KnownTemperature& known) const;
 
   /// The same of what conducts and, if the temperature changes @p in_time, stores heat; and whether
   /// the structural heat, if it is that of the power (@p by_power), is known.

@@ -3,6 +3,7 @@
 #include <thelma/materials/entropy_rate.h>
 #include <thelma/materials/flow_heat.h>
 #include <thelma/materials/point.h>
+#include <thelma/materials/temperature_law.h>
 #include <thelma/materials/thermal.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -18,7 +19,7 @@ class Branches;
 /// thermal and c (theta - theta_0); entropy that of the part here and c ln(theta/theta_0).
 struct Energies {
   double elastic = 0.;  ///< (theta/theta_0) W, and what the volumetric energy adds to it
-  double electric = 0.; ///< stored field energy, D.E/2 for a linear dielectric
+  double electric = 0.; ///< stored field energy psi_d + E.D, D.E/2 for a linear dielectric
   double thermal = 0.;  ///< psi_t + theta eta without the part of the heat capacity
   double entropy = 0.;  ///< eta without the part of the heat capacity, MPa/K
 
@@ -63,7 +64,10 @@ public:
   /// Let it have these branches, before it is declared.
   virtual void set_branches(Branches branches) = 0;
 
-  /// What they add to the shear modulus at once, in MPa; the entry of one that does not allow
+  /// Section and entry of a table that does not reach @p theta, and its range; empty if all do.
+  virtual std::string table_defect(double theta) const = 0;
+
+  /// What branches add to the shear modulus at once, in MPa; the entry of one that does not allow
   /// @p theta, or nothing.
   virtual double branch_modulus(double theta) const = 0;
   virtual std::string branch_defect(double theta) const = 0;
@@ -90,6 +94,7 @@ public:
   virtual double shear_modulus(double theta) const = 0;
   virtual double permittivity(double theta) const = 0;
 
+  std::string name; ///< of its section
   Thermal thermal;
 };
 

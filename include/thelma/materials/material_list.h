@@ -2,10 +2,16 @@
 
 #include <thelma/materials/arruda_boyce.h>
 #include <thelma/materials/composed_material.h>
+#include <thelma/materials/electrostrictive_dielectric.h>
+#include <thelma/materials/expression_law.h>
+#include <thelma/materials/fibres.h>
 #include <thelma/materials/gent.h>
 #include <thelma/materials/ideal_dielectric.h>
 #include <thelma/materials/mooney_rivlin.h>
 #include <thelma/materials/neo_hookean.h>
+#include <thelma/materials/ogden.h>
+#include <thelma/materials/saturating_dielectric.h>
+#include <thelma/materials/yeoh.h>
 
 #include <tuple>
 
@@ -14,8 +20,10 @@ namespace thelma
 
 /// The laws a .prm can choose: one page and one name here each. The derivative test runs over
 /// every combination by itself.
-using ElasticLaws = std::tuple<NeoHookean, Gent, ArrudaBoyce, MooneyRivlin>;
-using DielectricLaws = std::tuple<IdealDielectric>;
+using ElasticLaws =
+    std::tuple<NeoHookean, Gent, ArrudaBoyce, MooneyRivlin, Yeoh, Ogden, Fibres, ExpressionLaw>;
+using DielectricLaws =
+    std::tuple<IdealDielectric, ElectrostrictiveDielectric, SaturatingDielectric>;
 
 /// Call @p visit(static_cast<ComposedMaterial<E, D>*>(nullptr), name of E, name of D) for each E,
 /// D.

@@ -36,6 +36,12 @@ public:
     tau.declare(prm);
   }
 
+  std::string table_defect(const double theta) const
+  {
+    const std::string first = G.table_defect(theta);
+    return first.empty() ? tau.table_defect(theta) : first;
+  }
+
   /// The entry that does not allow @p theta; empty if all is well.
   std::string defect(const double theta) const
   {

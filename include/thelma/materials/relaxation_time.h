@@ -36,6 +36,8 @@ public:
                  Quantity("K", 1., 1e4));
   }
 
+  std::string table_defect(const double theta) const { return law.table_defect(theta); }
+
   /// No number where there is none: where the law is not positive, or below the range of WLF.
   template <typename Number>
   Number value(const Number& theta) const

@@ -17,6 +17,8 @@ public:
   /// Shear modulus of the undeformed material in MPa.
   double shear_modulus(const double theta) const { return mu.value(theta); }
 
+  std::string table_defect(const double theta) const { return mu.table_defect(theta); }
+
   template <typename Number>
   Number W(const Tensor3<2, Number>& F, const Number& J, const Number& theta) const
   {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <thelma/base/quantity.h>
+#include <thelma/materials/temperature_table.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -11,23 +12,32 @@ namespace thelma
 {
 
 /// A material parameter that depends on temperature, f(theta) = c_0 + c_1 x + c_2 x^2 + ... with
-/// x = 1000 K / theta (the form of the paper's shear modulus); one coefficient is a constant.
+/// x = 1000 K / theta (the form of the paper's shear modulus), of which one coefficient is a
+/// constant; or a table.
 class TemperatureLaw
 {
 public:
   explicit TemperatureLaw(std::vector<double> coefficients) : c(std::move(coefficients)) {}
 
-  /// Declares @p entry in the section @p prm stands in; @p what ends "Coefficients ... of <what>".
+  /// Declares @p entry in the section @p prm stands in; @p what is the rest of the sentence
+  /// "Coefficients ... of <what>".
   void declare(dealii::ParameterHandler& prm, const std::string& entry, const std::string& what,
-               const Quantity& quantity)
-  {
-    add_quantity(prm, entry, c,
-                 "Coefficients c_0, c_1, ... of powers of (1000 K / theta) in " + what, quantity);
-  }
+               const Quantity& quantity);
+
+  /// Neither coefficients nor table, which is an entry's default only.
+  bool empty() const { return c.empty() && table.empty(); }
+
+  TemperatureLaw times(double factor) const;
+
+  /// If the table does not reach @p theta, what follows the section in a sentence that says so:
+  /// `, entry 'Shear modulus': the table is from 293 to 350 K`; else empty.
+  std::string table_defect(double theta) const;
 
   template <typename Number>
   Number value(const Number& theta) const
   {
+    if (!table.empty())
+      return table.value(theta);
     const Number x = 1000. / theta;
     Number f = c.back();
     for (std::size_t n = c.size() - 1; n > 0; --n)
@@ -39,6 +49,8 @@ public:
   template <typename Number>
   Number slope(const Number& theta) const
   {
+    if (!table.empty())
+      return table.slope(theta);
     const Number x = 1000. / theta;
     Number f = 0.;
     for (std::size_t n = c.size() - 1; n > 0; --n)
@@ -50,6 +62,8 @@ public:
   template <typename Number>
   Number curvature(const Number& theta) const
   {
+    if (!table.empty())
+      return table.curvature(theta);
     const Number x = 1000. / theta;
     Number f = 0.;
     for (std::size_t n = c.size() - 1; n > 0; --n)
@@ -59,6 +73,8 @@ public:
 
 private:
   std::vector<double> c;
+  TemperatureTable table; ///< empty: the coefficients hold
+  std::string entry;
 };
 
 /// mu(theta) in MPa of Sharma, Khurana and Joglekar, section 4.

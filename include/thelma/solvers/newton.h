@@ -48,6 +48,9 @@ public:
   /// Residual at the current iterate.
   virtual ResidualReport residual() = 0;
 
+  /// Which law does not reach the current iterate, a sentence; empty if all do.
+  virtual std::string law_defect() const { return {}; }
+
   /// Solve for the correction of the current iterate, which becomes the base: with its own tangent
   /// or, to @p reuse it, with the last one factorised.
   virtual LinearReport linear_solve(bool reuse) = 0;
@@ -79,10 +82,11 @@ struct NewtonEffort {
   }
 };
 
-/// Why a state that was found is not accepted.
+/// Why a state is not accepted.
 enum class Refusal {
   none,
   unstable, ///< it has unstable directions
+  no_law,   ///< a law does not reach it
   jump      ///< it is not the continuation of the path
 };
 

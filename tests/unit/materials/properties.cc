@@ -113,8 +113,8 @@ TEST(MaterialsProperties, SymmetricTangent)
   });
 }
 
-/// psi = elastic + psi_v - electric + psi_t: under voltage the field energy enters with a minus.
-/// The inner energy psi + theta eta + E.D is the sum of the stored ones.
+/// psi = elastic + psi_v + electric - E.D + psi_t: the source of the voltage belongs to it. The
+/// inner energy psi + theta eta + E.D is the sum of the stored ones.
 TEST(MaterialsProperties, EnergiesAddUp)
 {
   for_each_law(acrylic, [](const auto& material, const auto& law) {
@@ -124,9 +124,10 @@ TEST(MaterialsProperties, EnergiesAddUp)
       Energies energies = material.energies(state);
       const double psi = law.psi(state);
       const Volumetric<> v = material.thermal.volumetric(Kinematics<>(state.F).J, state.theta);
-      EXPECT_NEAR(energies.elastic + v.psi - energies.electric + material.thermal.psi(state.theta),
-                  psi, 1e-13 * (1. + std::abs(psi)));
       const FirstDerivatives<> first = law.first(state);
+      EXPECT_NEAR(energies.elastic + v.psi + energies.electric - contract(state.E, first.D) +
+                      material.thermal.psi(state.theta),
+                  psi, 1e-13 * (1. + std::abs(psi)));
       const double inner = psi + state.theta * first.eta + contract(state.E, first.D);
       energies.add(1., thelma::energies(v, state.theta));
       EXPECT_NEAR(energies.elastic + energies.electric + energies.thermal +

@@ -26,8 +26,8 @@ using PaperMaterial = ComposedMaterial<NeoHookean, IdealDielectric>;
 inline const PointState<> some_state{Tensor3<2>({{1.2, .3, -.1}, {-.2, .9, .2}, {.1, .15, 1.1}}),
                                      Tensor3<1>({6., -4., 9.}), 340.};
 
-/// A material with the entries `set name = value` of @p entries, the others at their defaults, and
-/// so many Maxwell branches.
+/// A material with those of the @p entries `set name = value` that it has, the others at their
+/// defaults, and so many Maxwell branches.
 template <class SomeMaterial>
 std::unique_ptr<SomeMaterial> material_with(const std::string& entries,
                                             const unsigned int n_branches = 0)
@@ -37,7 +37,7 @@ std::unique_ptr<SomeMaterial> material_with(const std::string& entries,
       Branches(std::vector<std::string>(n_branches, std::string(MaxwellBranch::name))));
   dealii::ParameterHandler prm;
   material->declare(prm);
-  prm.parse_input_from_string(entries);
+  prm.parse_input_from_string(entries, "", true);
   return material;
 }
 
