@@ -36,7 +36,7 @@ void for_each_nodal_area(const Mesh<dim>& mesh, const DofLayout<dim>& layout,
         for (unsigned int a = 0; a < face.values.dofs_per_cell; ++a) {
           double area = 0.;
           for (unsigned int q = 0; q < face.values.n_quadrature_points; ++q)
-            area += face.values.JxW(q) * face.values.shape_value(a, q);
+            area += face.area(q) * face.values.shape_value(a, q);
           if (std::abs(area) > 0.)
             visit(face.unknown(a, component), area);
         }

@@ -14,10 +14,16 @@ namespace thelma
 /// One face of a named surface, integrated over.
 template <int dim>
 struct OuterFace {
-  const dealii::FEFaceValues<dim>& values; ///< of the scalar element: JxW and shape functions
+  const dealii::FEFaceValues<dim>& values; ///< of the scalar element: shape functions
   const DofLayout<dim>& layout;
   const std::vector<dealii::types::global_dof_index>& indices; ///< of its cell
   unsigned int fe_index;
+
+  /// The area that quadrature point @p q stands for: mm^2, in plane strain mm.
+  double area(const unsigned int q) const
+  {
+    return layout.depth(values.quadrature_point(q)) * values.JxW(q);
+  }
 
   /// The unknown of @p component at the cell's node @p a.
   dealii::types::global_dof_index unknown(const unsigned int a, const unsigned int component) const
@@ -50,7 +56,8 @@ bool for_each_outer_face(const Mesh<dim>& mesh, const DofLayout<dim>& layout,
                          const dealii::Quadrature<dim - 1>& quadrature, const Visitor& visit)
 {
   dealii::FEFaceValues<dim> values(layout.mapping(), layout.scalar_element(), quadrature,
-                                   dealii::update_values | dealii::update_JxW_values);
+                                   dealii::update_values | dealii::update_JxW_values |
+                                       dealii::update_quadrature_points);
   std::vector<dealii::types::global_dof_index> indices;
   return visit_outer_faces(mesh, name, place, [&](const auto& entity, const unsigned int f) {
     const auto cell = layout.with_unknowns(entity);

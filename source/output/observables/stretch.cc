@@ -37,11 +37,12 @@ struct SurfaceMean {
       const auto cell = scene.layout.with_unknowns(entity.cell);
       scene.layout.unknowns(cell, dofs);
       for (const unsigned int q : values.quadrature_point_indices()) {
-        area += values.JxW(q);
-        moment += values.JxW(q) * values.quadrature_point(q)[component];
+        const double share = scene.layout.depth(values.quadrature_point(q)) * values.JxW(q);
+        area += share;
+        moment += share * values.quadrature_point(q)[component];
         for (unsigned int a = 0; a < scalar.dofs_per_cell; ++a)
           weights.emplace_back(dofs[*scene.layout.local_dof(cell->active_fe_index(), a, component)],
-                               values.shape_value(a, q) * values.JxW(q));
+                               values.shape_value(a, q) * share);
       }
     }
     comm = scene.layout.communicator();
