@@ -9,9 +9,9 @@ template <int dim>
 void add_nodal_integrals(const DofLayout<dim>& layout, const Field field,
                          const std::function<double(const Cell<dim>&)>& density, BlockVector& nodal)
 {
-  dealii::FEValues<dim> values(
-      layout.mapping(), layout.scalar_element(), dealii::QGaussLobatto<dim>(layout.degree() + 1),
-      dealii::update_values | dealii::update_JxW_values | dealii::update_quadrature_points);
+  dealii::FEValues<dim> values(layout.mapping(), layout.scalar_element(), nodal_rule<dim>(layout),
+                               dealii::update_values | dealii::update_JxW_values |
+                                   dealii::update_quadrature_points);
   for (const Cell<dim>& cell : layout.cells()) {
     values.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell.iterator));
     const double amount = density(cell);

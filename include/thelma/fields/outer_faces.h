@@ -32,6 +32,17 @@ struct OuterFace {
   }
 };
 
+/// Whether the face is at the boundary of the body, inside of which the axis of a body of
+/// revolution is.
+template <int dim>
+bool is_outer(const Mesh<dim>& mesh, const typename Mesh<dim>::CellIterator& cell,
+              const unsigned int f)
+{
+  const auto face = cell->face(f);
+  return face->at_boundary() &&
+         !(mesh.cross_section().is_axisymmetric() && face->center()[0] < 1e-9 * face->diameter());
+}
+
 /// Call @p visit(cell, number of the face) for every face of the surface @p name at the boundary of
 /// the body on a cell of this rank; whether there is one on any rank. Throws InputError, with @p
 /// place in the sentence, for an unknown name.
@@ -42,7 +53,7 @@ bool visit_outer_faces(const Mesh<dim>& mesh, const std::string& name, const std
   bool outer = false;
   for (const auto& [cell, vertices] : mesh.surface(name, place))
     for (unsigned int f = 0; f < dealii::GeometryInfo<dim>::faces_per_cell; ++f)
-      if (face_vertices<dim>(f) == vertices && cell->face(f)->at_boundary()) {
+      if (face_vertices<dim>(f) == vertices && is_outer(mesh, cell, f)) {
         outer = true;
         visit(cell, f);
       }

@@ -49,6 +49,10 @@ struct SurfaceMean {
     if (dealii::Utilities::MPI::logical_or(has_other, comm))
       throw InputError(place + ": '" + surface + "' is a line or a point; name a surface");
     area = dealii::Utilities::MPI::sum(area, comm);
+    if (!(area > 0.))
+      throw InputError(place + ": '" + surface +
+                       "' lies on the axis of the body and has no area; name another surface, or "
+                       "observe a displacement instead");
     position = dealii::Utilities::MPI::sum(moment, comm) / area;
     for (auto& weight : weights)
       weight.second /= area;
