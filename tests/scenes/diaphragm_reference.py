@@ -39,7 +39,7 @@ class Diaphragm(Membrane):
                 s, _, across = self.forces(np.array([z[0], r / R, z[1]]), field) / self.mu
                 return [s - pull / (h * self.mu) * z[0], across]
 
-            guess[:] = fsolve(unbalanced, guess, xtol=1e-12)
+            guess[:] = fsolve(unbalanced, guess, xtol=1e-10)
             now = np.array([guess[0], r / R, guess[1]])
             around = h * self.forces(now, field)[1] / now[1]
             cosine, sine = along / pull, up / pull
@@ -53,6 +53,6 @@ class Diaphragm(Membrane):
 
     def height(self, pressure, voltage):
         """Of the middle above the rim in mm."""
-        middle = brentq(lambda l: self.shape(l, pressure, voltage)[0] - self.frame, 1.001, 1.6,
+        middle = brentq(lambda l: self.shape(l, pressure, voltage)[0] - self.frame, 1.05, 1.5,
                         xtol=1e-12)
         return self.shape(middle, pressure, voltage)[1]
