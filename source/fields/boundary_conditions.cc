@@ -216,8 +216,10 @@ void BoundaryConditions<dim>::fix_temperatures(const Mesh<dim>& mesh, const DofL
   if (!layout.has(Field::temperature) && !temperatures.empty())
     throw InputError(place + ": a uniform temperature is set by 'Value'; remove this entry or "
                              "choose Model = steady");
-  for (const auto& [surface, theta] : temperatures)
+  for (const auto& [surface, theta] : temperatures) {
+    require_off_axis(mesh, surface, place);
     fix(mesh, layout, surface, place, layout[Field::temperature].component, theta, heated_dofs);
+  }
 }
 
 template <int dim>
