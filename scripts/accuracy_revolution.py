@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import balloon_exact
+from accuracy_run import solve_seconds
 from accuracy_table import Row, select
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -75,12 +76,6 @@ def error(scene, model, final):
                abs(share * final["enclosed_volume_mm3"] / exact.volume - 1))
 
 
-def solve_seconds(report):
-    """Time of the run without start-up, mesh and setup."""
-    phases = report["seconds_per_phase"]
-    return report["seconds"] - phases.get("mesh", 0.0) - phases.get("setup", 0.0)
-
-
 def run(program, scene, model, cells):
     """The row of the fastest of some runs."""
     choice = MODELS[scene, model]
@@ -120,10 +115,10 @@ def pairs(rows):
 
 HEADER = ["scene", "3-D cells", "unknowns", "s", "error", "axisymmetric cells", "unknowns", "s",
           "error", "fewer unknowns", "times faster"]
-TEXT = """Scenes in space and, as half a section through a body of revolution (`Geometry = axisymmetric`), on the
+TEXT = f"""Scenes in space and, as half a section through a body of revolution (`Geometry = axisymmetric`), on the
 coarsest mesh that is as accurate, all Q2/P1 on one rank. Balloon at 4 kPa and 15 kV (radii and volume)
 and tube at 10 kV between 353 and 293 K (radii; a quarter with one cell along its axis): errors against
-their boundary value problems. Membrane of 0.25 mm at e = 0.5: growth of the electrode against {growth} mm
+their boundary value problems. Membrane of 0.25 mm at e = 0.5: growth of the electrode against {GROWTH} mm
 of fine sections; errors against the thin membrane are in [actuators.md](actuators.md). The runs of a scene
 are made one after the other; their ratio is what matters.
 """
@@ -145,9 +140,10 @@ def lines(rows):
 
 
 def least(rows):
-    """(smallest factor in unknowns, in time) of the scenes, on the finest meshes in space."""
+    """(smallest factor in unknowns, in time) of the scenes, on the finest meshes in space; nothing
+    where a scene has not been run."""
     finest = {whole.scene: (whole, section) for whole, section in pairs(rows) if section}
     if len(finest) < len(SCENES):
-        return 0.0, 0.0
+        return ()
     return (min(whole.unknowns / section.unknowns for whole, section in finest.values()),
             min(whole.solve_seconds / section.solve_seconds for whole, section in finest.values()))
