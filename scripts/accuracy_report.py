@@ -258,7 +258,7 @@ def document(rows, about):
              markdown(["element", "cells", "error", "order", "theory"], order_lines(rows))]
     part += ["## Cost of a time step\n", STEP_TEXT, markdown(
         ["run", "unknowns", "steps", "its", "LU", "s per step"], step_lines(rows))]
-    part += ["## Bodies of revolution\n", revolution.TEXT,
+    part += ["## Bodies of revolution\n", revolution.TEXT.format(about.get("revolution", about["load"])),
              markdown(revolution.HEADER, revolution.lines(rows))]
     part += ["## Bending actuator, all runs\n", markdown(
         CASE_HEADER + ["its", "LU", "s", "tip, 0.475", "its", "LU", "s", "rotation, 0.87"],
