@@ -33,9 +33,13 @@ void PrintTo(const Case& c, std::ostream* out)
 std::string layers(const Case& c)
 {
   std::string text = bilayer(c.temperature, c.formulation, c.degree);
-  text.replace(text.find("bilayer.geo"), 11, "bilayer_plane.geo");
-  text.replace(text.find("L: 6, W: 2, n1: 4, n2: 1, n3: 4"), 31, "L: 2, n1: 4, n3: 3");
-  text.replace(text.find("x3_min: u3, x2_min: u2, x2_max: u2, pin: u1"), 43, "x3_min: u3");
+  for (const auto& [from, to] : {std::pair{"bilayer.geo", "bilayer_plane.geo"},
+                                 {"L: 6, W: 2, n1: 4, n2: 1, n3: 4", "L: 2, n1: 4, n3: 3"},
+                                 {"x3_min: u3, x2_min: u2, x2_max: u2, pin: u1", "x3_min: u3"},
+                                 {"interface: 0, outer: 1", "x3_min: 0, x3_max: 1"},
+                                 {"outer: 353, back: 293", "x3_min: 353, x3_max: 293"}})
+    if (const std::size_t place = text.find(from); place != std::string::npos)
+      text.replace(place, std::string(from).size(), to);
   return "set Geometry = axisymmetric\n" + text;
 }
 
@@ -71,7 +75,7 @@ protected:
         scene.state.x(cell.dofs[a * cell.n_components]) = size * X[0] * std::sin(1.5 * X[1]);
         scene.state.x(cell.dofs[a * cell.n_components + 1]) = -size * X[1] * (1. + X[0] * X[0]);
         if (cell.has_potential)
-          scene.state.x(cell.dofs[a * cell.n_components + 2]) = 8. * (1. - 2. * X[0]);
+          scene.state.x(cell.dofs[a * cell.n_components + 2]) = 8. * X[1];
       }
     scene.state.x.zero_out_ghost_values();
     scene.state.x.update_ghost_values();
