@@ -3,6 +3,7 @@
 import math
 import re
 
+import accuracy_revolution as revolution
 import accuracy_steps
 from accuracy_cases import HALVED, MEAN, REDUCED, ORDER_AT, PEER_PROGRAMS, PEER_TO, PEERS, halved
 from accuracy_table import THELMA, choose, observed_orders, select
@@ -161,6 +162,11 @@ def bar_lines(rows):
     if ratio:
         lines.append(["a time step (staggered) relative to an isothermal step; see below",
                       accuracy_steps.MOST, f"{ratio:.2f}", holds(ratio, accuracy_steps.MOST)])
+    factors = zip(("unknowns", "solution time"), revolution.least(rows),
+                  (revolution.FEWER, revolution.FASTER))
+    for what, factor, bar in factors:
+        lines.append([f"{what} of the finest 3-D meshes relative to axisymmetric ones of equal error",
+                      f"at least {bar}", f"{factor:.0f}", holds(bar, factor)])
     whole = [row for row in solved(rows, "bending", 0.87, formulation=MEAN, degree=2)
              if row.relative_error is not None]
     if whole:
@@ -252,6 +258,8 @@ def document(rows, about):
              markdown(["element", "cells", "error", "order", "theory"], order_lines(rows))]
     part += ["## Cost of a time step\n", STEP_TEXT, markdown(
         ["run", "unknowns", "steps", "its", "LU", "s per step"], step_lines(rows))]
+    part += ["## Bodies of revolution\n", revolution.TEXT.format(about.get("revolution", about["load"])),
+             markdown(revolution.HEADER, revolution.lines(rows))]
     part += ["## Bending actuator, all runs\n", markdown(
         CASE_HEADER + ["its", "LU", "s", "tip, 0.475", "its", "LU", "s", "rotation, 0.87"],
         case_lines(rows, "bending", (0.475, 0.87)))]

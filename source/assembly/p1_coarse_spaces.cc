@@ -20,8 +20,10 @@ P1CoarseSpaces<dim>::P1CoarseSpaces(const DofLayout<dim>& layout,
   const dealii::FE_Q<dim> linear(1);
   const dealii::QGauss<dim> rule(2);
   for (unsigned int q = 0; q < n_corners; ++q)
-    for (unsigned int v = 0; v < n_corners; ++v)
+    for (unsigned int v = 0; v < n_corners; ++v) {
+      reference_values[q][v] = linear.shape_value(v, rule.point(q));
       reference_gradients[q][v] = linear.shape_grad(v, rule.point(q));
+    }
 }
 
 template <int dim>
@@ -73,6 +75,7 @@ void P1CoarseSpaces<dim>::add(const Cell<dim>& cell, const Positions& x, const d
           for (int d = 0; d < dim; ++d)
             shear[(a * dim + c) * n + b * dim + d] += mu * point.weight * g[d] * h[c];
         }
+        shear[a * dim * n + b * dim] += 2. * mu * point.weight * point.around[a] * point.around[b];
       }
   grids[0].add(cell, shear.data());
   if (grids.size() > 1)
@@ -87,13 +90,18 @@ P1CoarseSpaces<dim>::points(const Positions& x) const
   std::array<Point, n_corners> result;
   for (unsigned int q = 0; q < n_corners; ++q) {
     dealii::Tensor<2, dim> jacobian;
+    dealii::Point<dim> here;
+    for (unsigned int v = 0; v < n_corners; ++v)
+      here += reference_values[q][v] * x[v];
     for (unsigned int v = 0; v < n_corners; ++v)
       jacobian += dealii::outer_product(x[v], reference_gradients[q][v]);
     const double det = dealii::determinant(jacobian);
     const dealii::Tensor<2, dim> inverse = dealii::transpose(dealii::invert(jacobian));
-    for (unsigned int v = 0; v < n_corners; ++v)
+    for (unsigned int v = 0; v < n_corners; ++v) {
       result[q].gradients[v] = inverse * reference_gradients[q][v];
-    result[q].weight = std::abs(det) * weight;
+      result[q].around[v] = layout.curvature(here) * reference_values[q][v];
+    }
+    result[q].weight = std::abs(det * layout.depth(here)) * weight;
   }
   return result;
 }

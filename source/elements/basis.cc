@@ -28,12 +28,17 @@ Integration<dim>::Integration(const DofLayout<dim>& layout, const unsigned int n
 {
   using dealii::update_inverse_jacobians;
   using dealii::update_JxW_values;
+  using dealii::update_quadrature_points;
   dealii::FEValues<dim> values(layout.mapping(), layout.scalar_element(), rule,
-                               update_inverse_jacobians | update_JxW_values);
+                               update_inverse_jacobians | update_JxW_values |
+                                   update_quadrature_points);
   for (const Cell<dim>& cell : layout.cells()) {
     values.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell.iterator));
-    for (unsigned int q = 0; q < shape.n_points; ++q)
-      geometry.push_back({dealii::Tensor<2, dim>(values.inverse_jacobian(q)), values.JxW(q)});
+    for (unsigned int q = 0; q < shape.n_points; ++q) {
+      const dealii::Point<dim>& X = values.quadrature_point(q);
+      geometry.push_back({dealii::Tensor<2, dim>(values.inverse_jacobian(q)),
+                          layout.depth(X) * values.JxW(q), layout.curvature(X)});
+    }
   }
 }
 

@@ -53,16 +53,17 @@ template <int dim>
 void DilatationModes<dim>::set_constraint(const CellPoints<dim>& points, const int c,
                                           double* rows) const
 {
-  double cofactor[CellPoints<dim>::max][dim];
+  const int n_J = stretches<dim>(c, 2) ? points.gradients[0].n_directions() : dim;
+  double cofactor[CellPoints<dim>::max][3];
   for (unsigned int q = 0; q < points.n_points; ++q)
-    for (int J = 0; J < dim; ++J)
+    for (int J = 0; J < n_J; ++J)
       cofactor[q][J] =
-          points.geometry[q].JxW * points.J(q) * points.G(q, axis<dim>(c), axis<dim>(J));
+          points.geometry[q].JxW * points.J(q) * points.G(q, row_of_F<dim>(c, J), axis<dim>(J));
   for (unsigned int a = 0; a < stride; a += 4) {
     Register sums[8] = {};
     for (unsigned int q = 0; q < points.n_points; ++q) {
       Register change{};
-      for (int J = 0; J < dim; ++J)
+      for (int J = 0; J < n_J; ++J)
         change += cofactor[q][J] * *reinterpret_cast<const Register*>(&points.gradients[q].g[J][a]);
       for (unsigned int i = 0; i < n; ++i)
         sums[i] += values[q][i] * change;

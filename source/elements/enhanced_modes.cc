@@ -28,24 +28,37 @@ EnhancedModes<dim>::EnhancedModes(const DofLayout<dim>& layout) : centre(layout,
 {
   const Integration<dim> rule(layout, 2);
   for (std::size_t cell = 0; cell < layout.cells().size(); ++cell)
-    for (unsigned int q = 0; q < n_points; ++q)
-      slopes.push_back(
-          slopes_at(*centre.of_cell(cell), rule.quadrature(), q, rule.of_cell(cell)[q].JxW));
+    add_slopes(*centre.of_cell(cell), rule.quadrature(), rule.of_cell(cell));
 }
 
-/// (j_0 / j) times the slope of xi_k^2/2 on the cell, j_0 and the Jacobian being those of the
-/// centre: int Grad M_k dV = 0.
+/// (j_0 / j) times the slope of xi_k^2/2 - m_k xi_k on the cell, j_0 and the Jacobian being those
+/// of the centre and m_k the mean of xi_k, in a body of revolution over its circles: int Grad M_k
+/// dV = 0.
 template <int dim>
-typename EnhancedModes<dim>::Slopes
-EnhancedModes<dim>::slopes_at(const PointGeometry<dim>& centre, const dealii::Quadrature<dim>& rule,
-                              const unsigned int q, const double JxW)
+void EnhancedModes<dim>::add_slopes(const PointGeometry<dim>& centre,
+                                    const dealii::Quadrature<dim>& rule,
+                                    const PointGeometry<dim>* points)
 {
-  const double ratio = centre.JxW * rule.weight(q) / JxW;
-  Slopes g;
-  for (int k = 0; k < dim; ++k)
-    for (int J = 0; J < dim; ++J)
-      g[J][k] = ratio * (2. * rule.point(q)[k] - 1.) * centre.inverse_jacobian[k][J];
-  return g;
+  const auto radius = [](const PointGeometry<dim>& point) {
+    return point.curvature > 0. ? 1. / point.curvature : 1.;
+  };
+  dealii::Tensor<1, dim> mean;
+  double sum = 0.;
+  for (unsigned int q = 0; q < n_points; ++q) {
+    for (int k = 0; k < dim; ++k)
+      mean[k] += radius(points[q]) * (2. * rule.point(q)[k] - 1.);
+    sum += radius(points[q]);
+  }
+  mean /= sum;
+  const double j_0 = centre.JxW / radius(centre);
+  for (unsigned int q = 0; q < n_points; ++q) {
+    const double ratio = j_0 * rule.weight(q) * radius(points[q]) / points[q].JxW;
+    slopes.emplace_back();
+    for (int k = 0; k < dim; ++k)
+      for (int J = 0; J < dim; ++J)
+        slopes.back()[J][k] =
+            ratio * (2. * rule.point(q)[k] - 1. - mean[k]) * centre.inverse_jacobian[k][J];
+  }
 }
 
 template <int dim>

@@ -9,6 +9,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <set>
 
 namespace thelma
 {
@@ -59,6 +60,7 @@ void BoundaryConditions<dim>::setup(const Mesh<dim>& mesh, const DofLayout<dim>&
   const bool has_supports = errors.collect([&]() { fix_supports(mesh, layout); });
   if (errors.collect([&]() { fix_moved_supports(mesh, layout); }) && has_supports)
     errors.collect([&]() { require_held(mesh); });
+  errors.collect([&]() { fix_axis(layout); });
   errors.collect([&]() { electrode_set.setup(mesh, layout); });
   errors.collect([&]() { fix_temperatures(mesh, layout); });
   errors.raise();
@@ -137,6 +139,28 @@ void BoundaryConditions<dim>::fix_moved_supports(const Mesh<dim>& mesh,
     fixed_dofs.erase(entry.first);
 }
 
+/// The points of a body of revolution that lie on its axis stay there.
+template <int dim>
+void BoundaryConditions<dim>::fix_axis(const DofLayout<dim>& layout)
+{
+  if (!layout.is_axisymmetric())
+    return;
+  const auto& points = layout.scalar_element().get_unit_support_points();
+  std::set<dealii::types::global_dof_index> axis;
+  for (const Cell<dim>& cell : layout.cells())
+    for (unsigned int a = 0; a < points.size(); ++a)
+      if (layout.mapping().transform_unit_to_real_cell(cell.iterator, points[a])[0] <
+          1e-9 * cell.iterator->diameter())
+        axis.insert(cell.dofs[cell.unknown(a, Field::displacement)]);
+  for (const auto dof : dealii::Utilities::MPI::compute_set_union(axis, layout.communicator())) {
+    const auto moved = moved_dofs.find(dof);
+    if (moved != moved_dofs.end() && moved->second != 0.)
+      throw InputError("section Supports, entry 'Moved': u1 of a point on the axis x1 = 0 cannot "
+                       "change; move only points beside it, or other components");
+    fixed_dofs[dof] = 0.;
+  }
+}
+
 template <int dim>
 std::vector<std::string> BoundaryConditions<dim>::holding(const unsigned int component) const
 {
@@ -183,8 +207,10 @@ void BoundaryConditions<dim>::fix_temperatures(const Mesh<dim>& mesh, const DofL
   if (!layout.has(Field::temperature) && !temperatures.empty())
     throw InputError(place + ": a uniform temperature is set by 'Value'; remove this entry or "
                              "choose Model = steady");
-  for (const auto& [surface, theta] : temperatures)
+  for (const auto& [surface, theta] : temperatures) {
+    require_off_axis(mesh, surface, place);
     fix(mesh, layout, surface, place, layout[Field::temperature].component, theta, heated_dofs);
+  }
 }
 
 template <int dim>

@@ -48,9 +48,9 @@ void DeformedSurface<dim>::setup(const Mesh<dim>& mesh, const DofLayout<dim>& la
 }
 
 template <int dim>
-typename DeformedSurface<dim>::Point DeformedSurface<dim>::deform(const Face& face,
-                                                                  const Undeformed& point,
-                                                                  const std::vector<double>& values)
+typename DeformedSurface<dim>::Point
+DeformedSurface<dim>::deform(const DofLayout<dim>& layout, const Face& face,
+                             const Undeformed& point, const std::vector<double>& values)
 {
   const unsigned int n_c = face.cell->n_components;
   dealii::Tensor<2, dim> F = dealii::unit_symmetric_tensor<dim>();
@@ -58,12 +58,15 @@ typename DeformedSurface<dim>::Point DeformedSurface<dim>::deform(const Face& fa
     for (int i = 0; i < dim; ++i)
       F[i] += values[a * n_c + i] * point.gradients[a];
   const dealii::Tensor<2, dim> G = dealii::transpose(dealii::invert(F));
-  Point result{point.X, point.JxW * dealii::determinant(F) * (G * point.normal), point.shape, {}};
+  Point result{
+      point.X, point.JxW * dealii::determinant(F) * (G * point.normal), 0., point.shape, {}};
   for (std::size_t a = 0; a < face.nodes.size(); ++a) {
     for (int i = 0; i < dim; ++i)
       result.x[i] += point.shape[a] * values[face.unknown(a, i)];
     result.gradients.push_back(G * point.gradients[face.nodes[a]]);
   }
+  result.area *= layout.depth(result.x);
+  result.curvature = layout.curvature(result.x);
   return result;
 }
 
@@ -73,7 +76,7 @@ double DeformedSurface<dim>::own_volume(const DofLayout<dim>& layout, const Bloc
   double volume = 0.;
   visit(layout, x, [&](const Face&, const std::vector<Point>& deformed) {
     for (const Point& point : deformed)
-      volume += point.x * point.area / dim;
+      volume += point.x * point.area / layout.n_sizes();
   });
   return volume;
 }

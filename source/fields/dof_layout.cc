@@ -58,6 +58,7 @@ void DofLayout<dim>::setup(const Mesh<dim>& mesh, const MaterialLibrary& materia
   };
   this->choose_fields(!std::all_of(regions.begin(), regions.end(), is_passive));
 
+  static_cast<CrossSection<dim>&>(*this) = mesh.cross_section();
   build_elements();
   cell_mapping = std::make_unique<dealii::MappingQ<dim>>(mesh.is_curved() ? polynomial_degree : 1);
   dofs.reinit(mesh.triangulation());
@@ -250,7 +251,9 @@ std::vector<std::string> DofLayout<dim>::summary() const
     solved += (solved.empty() ? "" : ", ") + field_name(field) + " (" +
               std::to_string(n_dofs(field)) + " unknowns)";
   lines.push_back("solved for: " + solved + ", degree " + std::to_string(polynomial_degree) +
-                  (dim == 2 ? ", plane strain" : ""));
+                  (this->is_axisymmetric() ? ", axisymmetric about x1 = 0, where u1 = 0"
+                   : dim == 2              ? ", plane strain"
+                                           : ""));
   if (!this->has(Field::potential))
     lines.emplace_back("left out: potential, because every region is passive");
   else if (!passive_regions.empty())

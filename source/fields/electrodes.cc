@@ -97,6 +97,7 @@ template <int dim>
 void Electrodes<dim>::add(const Mesh<dim>& mesh, const DofLayout<dim>& layout, Electrode electrode,
                           const std::string& place)
 {
+  require_off_axis(mesh, electrode.name, place);
   const auto dofs =
       dofs_on(mesh, layout, electrode.name, place, layout[Field::potential].component);
   if (dofs.empty())

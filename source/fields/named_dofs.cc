@@ -51,6 +51,22 @@ dofs_on(const Mesh<dim>& mesh, const DofLayout<dim>& layout, const std::string& 
   return dealii::Utilities::MPI::compute_set_union(dofs, layout.communicator());
 }
 
+template <int dim>
+void require_off_axis(const Mesh<dim>& mesh, const std::string& surface, const std::string& place)
+{
+  if (!mesh.cross_section().is_axisymmetric())
+    return;
+  bool is_off = false;
+  for (const auto& [cell, vertices] : mesh.surface(surface, place))
+    for (const unsigned int v : cell->vertex_indices())
+      is_off |= (vertices & (1u << v)) && cell->vertex(v)[0] > 1e-9 * cell->diameter();
+  if (!dealii::Utilities::MPI::logical_or(is_off, mesh.communicator()))
+    throw InputError(
+        place + ": '" + surface +
+        "' lies on the axis of the body, where neither charge nor heat gets in because "
+        "it has no area; remove it, or name another surface");
+}
+
 double sum_over(const std::set<dealii::types::global_dof_index>& dofs, const BlockVector& x)
 {
   const auto owned = x.locally_owned_elements();
@@ -88,5 +104,7 @@ template std::set<dealii::types::global_dof_index>
 dofs_on(const Mesh<2>&, const DofLayout<2>&, const std::string&, const std::string&, unsigned int);
 template std::set<dealii::types::global_dof_index>
 dofs_on(const Mesh<3>&, const DofLayout<3>&, const std::string&, const std::string&, unsigned int);
+template void require_off_axis(const Mesh<2>&, const std::string&, const std::string&);
+template void require_off_axis(const Mesh<3>&, const std::string&, const std::string&);
 
 } // namespace thelma

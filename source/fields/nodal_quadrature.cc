@@ -9,16 +9,17 @@ template <int dim>
 void add_nodal_integrals(const DofLayout<dim>& layout, const Field field,
                          const std::function<double(const Cell<dim>&)>& density, BlockVector& nodal)
 {
-  dealii::FEValues<dim> values(layout.mapping(), layout.scalar_element(),
-                               dealii::QGaussLobatto<dim>(layout.degree() + 1),
-                               dealii::update_values | dealii::update_JxW_values);
+  dealii::FEValues<dim> values(layout.mapping(), layout.scalar_element(), nodal_rule<dim>(layout),
+                               dealii::update_values | dealii::update_JxW_values |
+                                   dealii::update_quadrature_points);
   for (const Cell<dim>& cell : layout.cells()) {
     values.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell.iterator));
     const double amount = density(cell);
     for (unsigned int a = 0; a < values.dofs_per_cell; ++a)
       for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
-        nodal(cell.dofs[cell.unknown(a, field)]) +=
-            amount * values.JxW(q) * values.shape_value(a, q);
+        nodal(cell.dofs[cell.unknown(a, field)]) += amount *
+                                                    layout.depth(values.quadrature_point(q)) *
+                                                    values.JxW(q) * values.shape_value(a, q);
   }
 }
 

@@ -31,6 +31,14 @@ std::array<double, n_motions<dim>> rigid_displacement(const dealii::Point<dim>& 
   return u;
 }
 
+/// Whether the motion @p m is none of a body of revolution as such, which can only move along its
+/// axis.
+template <int dim>
+bool strains(const Mesh<dim>& mesh, const unsigned int m)
+{
+  return mesh.cross_section().is_axisymmetric() && m != 1;
+}
+
 template <int dim>
 std::string motion_name(const unsigned int m)
 {
@@ -52,7 +60,7 @@ void RigidMotions<dim>::hold(const std::string& surface, const unsigned int comp
 
 /// A motion that all held displacements are blind to is in the kernel of the sum of their squares.
 template <int dim>
-std::vector<std::string> RigidMotions<dim>::free_motions(const std::vector<Held>& body)
+std::vector<std::string> RigidMotions<dim>::free_motions(const std::vector<Held>& body) const
 {
   constexpr unsigned int n = n_motions<dim>;
   double size = 0.;
@@ -66,6 +74,8 @@ std::vector<std::string> RigidMotions<dim>::free_motions(const std::vector<Held>
       for (unsigned int j = 0; j < n; ++j)
         squares(i, j) += u[i] * u[j] / body.size();
   }
+  for (unsigned int m = 0; m < n; ++m)
+    squares(m, m) += strains(mesh, m) ? 1. : 0.;
   squares.compute_svd();
   std::vector<std::string> motions;
   for (unsigned int k = 0; k < n; ++k)

@@ -16,9 +16,9 @@ namespace thelma
 namespace
 {
 
-/// Components with a unit behind the last one, if it is not that of the entry.
+/// Components with a unit behind the last one, if it is not @p unit.
 template <int dim>
-dealii::Tensor<1, dim> parse_force(const std::string& text)
+dealii::Tensor<1, dim> parse_force(const std::string& text, const std::string& unit)
 {
   std::istringstream words(text);
   std::vector<std::string> numbers(dim);
@@ -26,7 +26,6 @@ dealii::Tensor<1, dim> parse_force(const std::string& text)
     words >> number;
   std::string rest;
   std::getline(words, rest);
-  const std::string unit = dim == 3 ? "N" : "N/mm";
   const std::string problem = "'" + text + "' is no force; write its " + std::to_string(dim) +
                               " components in " + unit + " with blanks between";
   if (numbers.back().empty())
@@ -57,12 +56,22 @@ public:
   {
     using namespace dealii::Patterns;
     const Section section(prm, {"Loads"});
-    prm.add_parameter("Force", texts,
-                      "Forces on surfaces, to which the stage `force` (Loading/Stages) goes, as "
-                      "`grip: 0 0 0.05`. They keep their direction and are spread evenly over the "
-                      "undeformed surface. Unit: N, in plane strain N/mm of depth.",
-                      Map(Anything(), Anything(), 0, 100));
-    check_values(prm, "Force", [](const std::string& force) { parse_force<dim>(force); });
+    prm.add_parameter(
+        "Force", texts,
+        "Forces on surfaces, to which the stage `force` (Loading/Stages) goes, as "
+        "`grip: 0 0 0.05`. They keep their direction and are spread evenly over the "
+        "undeformed surface. Unit: N, in plane strain N/mm of depth; in an axisymmetric "
+        "scene on the whole ring, along x1 the sum of the radial forces.",
+        Map(Anything(), Anything(), 0, 100));
+    check_values(prm, "Force", [](const std::string& force) {
+      try {
+        parse_force<dim>(force, "N");
+      } catch (const InputError&) {
+        if (dim == 3)
+          throw;
+        parse_force<dim>(force, "N/mm"); // whether it is plane strain is known with the mesh
+      }
+    });
   }
 
   void setup(const LoadInput<dim>& input) override
@@ -70,10 +79,11 @@ public:
     if (!is_present())
       return;
     forces = input.layout.new_vector();
+    const std::string unit = input.layout.n_sizes() == 3 ? "N" : "N/mm";
     InputErrors errors;
     for (const auto& [surface, text] : texts)
       errors.collect([&, &surface = surface, &text = text]() {
-        add(input.mesh, input.layout, surface, parse_force<dim>(text));
+        add(input.mesh, input.layout, surface, force(text, unit));
       });
     errors.raise();
   }
@@ -91,6 +101,15 @@ public:
   }
 
 private:
+  dealii::Tensor<1, dim> force(const std::string& text, const std::string& unit) const
+  {
+    try {
+      return parse_force<dim>(text, unit);
+    } catch (const InputError& error) {
+      throw InputError(entry().place() + ": " + error.what());
+    }
+  }
+
   void add(const Mesh<dim>& mesh, const DofLayout<dim>& layout, const std::string& surface,
            const dealii::Tensor<1, dim>& force)
   {
@@ -100,11 +119,11 @@ private:
         mesh, layout, surface, entry().place(), dealii::QGauss<dim - 1>(layout.degree() + 1),
         [&](const OuterFace<dim>& face) {
           for (unsigned int q = 0; q < face.values.n_quadrature_points; ++q) {
-            area += face.values.JxW(q);
+            area += face.area(q);
             for (unsigned int a = 0; a < face.values.dofs_per_cell; ++a)
               for (unsigned int d = 0; d < dim; ++d)
                 shares(face.unknown(a, d)) +=
-                    force[d] * face.values.JxW(q) * face.values.shape_value(a, q);
+                    force[d] * face.area(q) * face.values.shape_value(a, q);
           }
         });
     area = dealii::Utilities::MPI::sum(area, layout.communicator());

@@ -95,10 +95,12 @@ private:
     const std::size_t n = face.cell->dofs.size();
     const dealii::Tensor<1, dim> mixed =
         point.shape[a] * point.gradients[b] - point.shape[b] * point.gradients[a];
+    dealii::Tensor<1, dim> around; // the circles of a body of revolution grow with u_1
+    around[0] = point.shape[a] * point.shape[b] * point.curvature;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = 0; j < dim; ++j)
         entries[face.unknown(a, i) * n + face.unknown(b, j)] +=
-            half * (mixed[j] * point.area[i] - mixed[i] * point.area[j]);
+            half * ((around + mixed)[j] * point.area[i] + (around - mixed)[i] * point.area[j]);
   }
 
   std::map<std::string, double> values;

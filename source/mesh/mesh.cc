@@ -7,6 +7,7 @@
 #include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 namespace thelma
@@ -34,7 +35,8 @@ template <int dim>
 void Mesh<dim>::declare(dealii::ParameterHandler& prm)
 {
   using namespace dealii::Patterns;
-  const Section section(prm, {"Mesh"});
+  section.declare(prm);
+  const Section in_mesh(prm, {"Mesh"});
   prm.add_parameter(
       "File", file,
       "A gmsh geometry (.geo) or mesh (.msh) in mm, with named physical groups; the path is "
@@ -68,6 +70,9 @@ void Mesh<dim>::read(const std::string& folder, const Look& look)
   if (file.empty())
     throw InputError("section Mesh, entry 'File': it is empty or missing; write `set File = "
                      "NAME.geo`");
+  if (dim == 3 && section.is_axisymmetric())
+    throw InputError("entry 'Geometry': a scene in space is no section; remove the entry, or set "
+                     "Dimension = 2 and give half a section through the body");
   if (dim == 2 && (curved == "around x1" || curved == "around x3"))
     throw InputError("section Mesh, entry 'Curved': in the x1-x3 plane arcs are " +
                      std::string("`around x2`, not `") + curved + "`");
@@ -81,11 +86,27 @@ void Mesh<dim>::read(const std::string& folder, const Look& look)
       require_arcs(whole, curved);
     if (imperfection != 0. || !imperfection_shape.empty())
       whole.displace(imperfection, imperfection_shape);
+    if (section.is_axisymmetric())
+      require_half_plane(whole);
     table = whole.table();
   });
   table = dealii::Utilities::MPI::broadcast(communicator(), table);
   distribute(whole);
   find_entities();
+}
+
+template <int dim>
+void Mesh<dim>::require_half_plane(const WholeMesh<dim>& whole) const
+{
+  double least = 0., size = 0.;
+  for (const dealii::Point<dim>& X : whole.vertices) {
+    least = std::min(least, X[0]);
+    size = std::max(size, std::abs(X[0]));
+  }
+  if (least < -1e-9 * size)
+    throw InputError("section Mesh, entry 'File': the mesh has a vertex at x1 = " + as_text(least) +
+                     " mm, but x1 is the radius of an axisymmetric body; keep the half of the "
+                     "section where x1 >= 0, or set Geometry = plane strain");
 }
 
 template <int dim>

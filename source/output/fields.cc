@@ -53,6 +53,8 @@ public:
     names.insert(names.end(), dim, "D");
     names.insert(names.end(), dim, "E");
     names.emplace_back("J");
+    if (scene.layout.is_axisymmetric())
+      names.emplace_back("P22");
     return names;
   }
 
@@ -62,13 +64,13 @@ public:
     std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation> kinds(
         static_cast<std::size_t>(dim * dim), component_is_part_of_tensor);
     kinds.insert(kinds.end(), std::size_t(2) * dim, component_is_part_of_vector);
-    kinds.push_back(component_is_scalar);
+    kinds.resize(get_names().size(), component_is_scalar);
     return kinds;
   }
 
   dealii::UpdateFlags get_needed_update_flags() const override
   {
-    return dealii::update_values | dealii::update_gradients;
+    return dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points;
   }
 
   void evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<dim>& input,
@@ -93,6 +95,8 @@ public:
         output[q][dim * dim + dim + i] = state.E[axis<dim>(i)];
       }
       output[q][dim * dim + 2 * dim] = kin.J;
+      if (scene.layout.is_axisymmetric())
+        output[q][dim * dim + 2 * dim + 1] = d.P[1][1];
     }
   }
 
@@ -107,6 +111,8 @@ private:
     for (int J = 0; J < dim; ++J)
       for (int i = 0; i < dim; ++i)
         state.F[axis<dim>(i)][axis<dim>(J)] += input.solution_gradients[q][i][J];
+    if (scene.layout.is_axisymmetric())
+      state.F[1][1] += stretch_around_axis(input, q);
     if (scene.layout.has(Field::potential))
       for (int J = 0; J < dim; ++J)
         state.E[axis<dim>(J)] =
@@ -114,6 +120,16 @@ private:
     if (scene.layout.has(Field::temperature))
       state.theta = input.solution_values[q][scene.layout[Field::temperature].component];
     return state;
+  }
+
+  /// u_1/R, and its limit on the axis.
+  double stretch_around_axis(const dealii::DataPostprocessorInputs::Vector<dim>& input,
+                             const std::size_t q) const
+  {
+    const double R = input.evaluation_points[q][0];
+    return R > 1e-9 * input.template get_cell<dim>()->diameter()
+               ? input.solution_values[q][0] / R
+               : input.solution_gradients[q][0][0];
   }
 
   double pressure(const unsigned int active_cell, const std::size_t q,

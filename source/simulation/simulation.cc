@@ -30,7 +30,7 @@ Simulation<dim>::Simulation(const MPI_Comm comm, const ParameterFile& file, std:
 template <int dim>
 void Simulation<dim>::declare()
 {
-  prm.add_parameter("Dimension", dimension, "2: the x1-x3 plane in plane strain; 3: space.",
+  prm.add_parameter("Dimension", dimension, "2: the x1-x3 plane, see Geometry; 3: space.",
                     dealii::Patterns::Integer(2, 3));
   model.declare(prm);
   strategies.declare(prm);

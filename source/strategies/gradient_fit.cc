@@ -39,9 +39,10 @@ void GradientFit<dim>::add(const Gradient& wanted, const std::vector<State::Acce
       size[1] += point.JxW;
       for (unsigned int a = 0; a < gradients.n_nodes; ++a)
         for (int i = 0; i < dim; ++i)
-          for (int J = 0; J < dim; ++J)
-            values[a * cell.n_components + i] +=
-                point.JxW * H[axis<dim>(i)][axis<dim>(J)] * gradients.g[J][a];
+          for (int J = 0; J < gradients.n_directions(); ++J)
+            if (stretches<dim>(i, J))
+              values[a * cell.n_components + i] +=
+                  point.JxW * H[row_of_F<dim>(i, J)][axis<dim>(J)] * gradients.g[J][a];
     }
     layout.scatter(cell, values, moments);
   }
@@ -76,11 +77,11 @@ void GradientFit<dim>::make_laplacian()
       const Gradients<dim> gradients(full.basis(), q, point);
       for (unsigned int a = 0; a < gradients.n_nodes; ++a)
         for (unsigned int b = 0; b < gradients.n_nodes; ++b) {
-          double sum = 0.;
-          for (int J = 0; J < dim; ++J)
-            sum += point.JxW * gradients.g[J][a] * gradients.g[J][b];
           for (int i = 0; i < dim; ++i)
-            entries[(a * n_c + i) * n + b * n_c + i] += sum;
+            for (int J = 0; J < gradients.n_directions(); ++J)
+              if (stretches<dim>(i, J))
+                entries[(a * n_c + i) * n + b * n_c + i] +=
+                    point.JxW * gradients.g[J][a] * gradients.g[J][b];
         }
     }
     matrix.add(index, cell, entries);

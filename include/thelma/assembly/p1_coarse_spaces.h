@@ -13,7 +13,7 @@ namespace thelma
 /// Linear elements between the corners of cells of the deformed body, where multigrid goes on from
 /// the displacement and potential blocks of a tangent: 2 mu sym(grad v) : sym(grad w) and
 /// eps grad(phi) . grad(chi) (theory.md, eq. 67). Positive in every state, with the rigid motions
-/// as only null space.
+/// as only null space; in a body of revolution those that strain the circles are nearly in it.
 template <int dim>
 class P1CoarseSpaces final : public CoarseGrids
 {
@@ -29,9 +29,11 @@ public:
 private:
   static constexpr std::size_t n_corners = P1CoarseSpace<dim>::n_corners;
   using Positions = std::array<dealii::Tensor<1, dim>, n_corners>;
-  /// Gradients of the corners' functions at a point, and its weight.
+  /// Gradients of the corners' functions at a point, how they stretch the circle around an axis,
+  /// and its weight.
   struct Point {
     std::array<dealii::Tensor<1, dim>, n_corners> gradients;
+    std::array<double, n_corners> around;
     double weight;
   };
 
@@ -44,6 +46,7 @@ private:
   const State& state;
   std::vector<P1CoarseSpace<dim>> grids; ///< of displacement and, where there is one, potential
   BlockVector corners; ///< reference position of a corner's displacements along their own axes
+  std::array<std::array<double, n_corners>, n_corners> reference_values;
   std::array<std::array<dealii::Tensor<1, dim>, n_corners>, n_corners> reference_gradients;
   std::vector<std::vector<double>> motions;
 };

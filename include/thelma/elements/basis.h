@@ -33,7 +33,8 @@ struct Basis {
 template <int dim>
 struct PointGeometry {
   dealii::Tensor<2, dim> inverse_jacobian; ///< [reference direction][X direction]
-  double JxW;                              ///< mm^dim
+  double JxW;                              ///< mm^dim, of a body of revolution mm^3
+  double curvature = 0.; ///< 1/R of the circle around the axis of a body of revolution, 1/mm
 };
 
 /// The quadrature points of every own cell; nothing here changes while the body deforms.

@@ -10,7 +10,8 @@ namespace thelma
 {
 
 /// What the nodal values @p x of a cell give at one point: the state of plane strain (dim = 2:
-/// F_22 = 1, no field or flux out of plane) or of space.
+/// F_22 = 1, no field or flux out of plane), of a body of revolution (F_22 = 1 + u_1/R) or of
+/// space.
 template <int dim>
 PointInput<double> point_input(const CellView<dim>& view, const NodalValues<dim>& x,
                                const Gradients<dim>& gradients)
@@ -22,9 +23,11 @@ PointInput<double> point_input(const CellView<dim>& view, const NodalValues<dim>
                      theta = view.cell.component(Field::temperature);
   input.state.theta = view.has_temperature ? x.value(gradients)[theta] : view.theta;
   const auto gradient = x.gradient(gradients);
-  for (int J = 0; J < dim; ++J) {
+  for (int J = 0; J < gradients.n_directions(); ++J)
     for (int i = 0; i < dim; ++i)
-      input.state.F[axis<dim>(i)][axis<dim>(J)] += gradient[J][i];
+      if (stretches<dim>(i, J))
+        input.state.F[row_of_F<dim>(i, J)][axis<dim>(J)] += gradient[J][i];
+  for (int J = 0; J < dim; ++J) {
     if (view.cell.has_potential)
       input.state.E[axis<dim>(J)] = -gradient[J][phi];
     if (view.has_temperature)

@@ -10,7 +10,8 @@
 namespace thelma
 {
 
-/// Gradients dN_a/dX_J of all nodes at one point, [J][a].
+/// Gradients dN_a/dX_J of all nodes at one point, [J][a]; in a body of revolution followed by
+/// N_a/R, the stretch around its axis.
 template <int dim>
 struct Gradients {
   static constexpr unsigned int length = padded(Basis<dim>::max_nodes);
@@ -35,11 +36,18 @@ struct Gradients {
           sum += point.inverse_jacobian[K][J] * reference[K * stride + a];
         g[J][a] = sum;
       }
+    is_axisymmetric = point.curvature > 0.;
+    if (dim == 2 && is_axisymmetric)
+      for (unsigned int a = 0; a < stride; ++a)
+        g[2][a] = point.curvature * N[a];
   }
+
+  int n_directions() const { return dim == 3 || is_axisymmetric ? 3 : 2; }
 
   unsigned int n_nodes, stride;
   const double* N;
-  std::array<std::array<double, length>, dim> g;
+  bool is_axisymmetric;
+  std::array<std::array<double, length>, 3> g;
 };
 
 /// Four doubles in one register, wherever they lie.
@@ -64,10 +72,10 @@ struct NodalValues {
   Components value(const Gradients<dim>& gradients) const { return sum(gradients.N); }
 
   /// sum_a x_ac dN_a/dX_J for all directions J and components c.
-  std::array<Components, dim> gradient(const Gradients<dim>& gradients) const
+  std::array<Components, 3> gradient(const Gradients<dim>& gradients) const
   {
-    std::array<Components, dim> result;
-    for (int J = 0; J < dim; ++J)
+    std::array<Components, 3> result;
+    for (int J = 0; J < gradients.n_directions(); ++J)
       result[J] = sum(gradients.g[J].data());
     return result;
   }
@@ -106,7 +114,7 @@ void add_residual(const Gradients<Fields::dim>* gradients, const PointFluxes<Fie
   double rows[n_c][Gradients<dim>::length] = {};
   for (unsigned int q = 0; q < n_points; ++q)
     for (int c = 0; c < n_c; ++c)
-      for (int J = 0; J < dim; ++J)
+      for (int J = 0; J < Fields::n_directions; ++J)
         for (unsigned int a = 0; a < stride; ++a)
           rows[c][a] += fluxes[q / Lanes::n].S[c][J][q % Lanes::n] * gradients[q].g[J][a];
   for (unsigned int a = 0; a < n_nodes; ++a)
@@ -119,22 +127,22 @@ template <typename Fields>
 void apply_moduli(const Gradients<Fields::dim>& gradients, const PointFluxes<Fields>& fluxes,
                   const unsigned int lane, const int c, const int d, double* T)
 {
-  constexpr int dim = Fields::dim;
+  constexpr int n_J = Fields::n_directions;
   const unsigned int stride = gradients.stride;
-  double M[dim][dim], m[dim] = {};
-  for (int J = 0; J < dim; ++J) {
-    for (int L = 0; L < dim; ++L)
+  double M[n_J][n_J], m[n_J] = {};
+  for (int J = 0; J < n_J; ++J) {
+    for (int L = 0; L < n_J; ++L)
       M[J][L] = fluxes.M[c][J][L][d][lane];
     if (Fields::has_temperature && d == Fields::n - 1)
       m[J] = fluxes.m[c][J][lane];
   }
   for (unsigned int b = 0; b < stride; b += 4) {
-    Register g[dim];
-    for (int L = 0; L < dim; ++L)
+    Register g[n_J];
+    for (int L = 0; L < n_J; ++L)
       g[L] = *reinterpret_cast<const Register*>(&gradients.g[L][b]);
-    for (int J = 0; J < dim; ++J) {
+    for (int J = 0; J < n_J; ++J) {
       Register sum = M[J][0] * g[0];
-      for (int L = 1; L < dim; ++L)
+      for (int L = 1; L < n_J; ++L)
         sum += M[J][L] * g[L];
       if constexpr (Fields::has_temperature)
         sum += m[J] * *reinterpret_cast<const Register*>(gradients.N + b);
@@ -151,20 +159,20 @@ void add_tangent(const Gradients<Fields::dim>* gradients, const PointFluxes<Fiel
                  const unsigned int n_points, const CellComponents& components,
                  TangentBlocks& tangent)
 {
-  constexpr int dim = Fields::dim, n_c = Fields::n;
-  constexpr unsigned int max_rows = Basis<dim>::max_points * dim;
+  constexpr int dim = Fields::dim, n_c = Fields::n, n_J = Fields::n_directions;
+  constexpr unsigned int max_rows = Basis<dim>::max_points * n_J;
   std::array<const double*, max_rows> g;
   for (unsigned int q = 0; q < n_points; ++q)
-    for (int J = 0; J < dim; ++J)
-      g[q * dim + J] = gradients[q].g[J].data();
+    for (int J = 0; J < n_J; ++J)
+      g[q * n_J + J] = gradients[q].g[J].data();
 
   alignas(64) std::array<double, max_rows * Gradients<dim>::length> T;
   for (int c = 0; c < n_c; ++c)
     for (int d = Fields::has_temperature ? 0 : c; d < n_c; ++d) {
       for (unsigned int q = 0; q < n_points; ++q)
         apply_moduli(gradients[q], fluxes[q / Lanes::n], q % Lanes::n, c, d,
-                     T.data() + q * dim * gradients->stride);
-      tangent.add_product(components.first + c, components.first + d, n_points * dim, g.data(),
+                     T.data() + q * n_J * gradients->stride);
+      tangent.add_product(components.first + c, components.first + d, n_points * n_J, g.data(),
                           T.data());
     }
 }

@@ -26,7 +26,7 @@ public:
         gradients.g[J][n_nodes + k] = slopes[cell * n_points + q][J][k];
   }
 
-  /// int |Grad M_k|^2 dV, all points having the same share of the volume.
+  /// int |Grad M_k|^2 dV, as if all points had the same share of the volume.
   double squared_norm(std::size_t cell, int k) const;
 
   /// Make the displacements in @p alpha those of an observer who deforms with the centre of the
@@ -37,8 +37,8 @@ public:
 private:
   using Slopes = std::array<std::array<double, dim>, dim>; ///< dM_k/dX_J, [J][k]
 
-  static Slopes slopes_at(const PointGeometry<dim>& centre, const dealii::Quadrature<dim>& rule,
-                          unsigned int q, double JxW);
+  void add_slopes(const PointGeometry<dim>& centre, const dealii::Quadrature<dim>& rule,
+                  const PointGeometry<dim>* points);
   dealii::Tensor<2, dim> centre_gradient(const CellView<dim>& view) const;
 
   Integration<dim> centre;

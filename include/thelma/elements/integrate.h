@@ -22,8 +22,9 @@ void integrate_fields(const CellPoints<Fields::dim>& points, const CellView<Fiel
     Lanes weights(0.);
     for (unsigned int lane = 0; lane < Lanes::n && q + lane < points.n_points; ++lane)
       weights.set(lane, points.geometry[q + lane].JxW);
-    if constexpr (Fields::has_temperature) {
+    if constexpr (Fields::has_temperature || PointFluxes<Fields>::has_gaps)
       fluxes[k].clear();
+    if constexpr (Fields::has_temperature) {
       if constexpr (EnergyTerm::conducts)
         set_heat_flux(material.thermal.heat_flux(kin, input.grad_theta), weights, fluxes[k]);
     }
@@ -49,7 +50,20 @@ void integrate_fields(const CellPoints<Fields::dim>& points, const CellView<Fiel
                  result.residual.data());
 }
 
-/// integrate_fields() for whatever fields are solved for, and the structural heat; nothing where
+/// integrate_fields() of a cell with these fields, in the plane, in space or around an axis.
+template <bool with_potential, bool with_temperature, typename EnergyTerm, int dim>
+void integrate_cell(const CellPoints<dim>& points, const CellView<dim>& view,
+                    const EnergyTerm& term, const bool with_tangent, CellResult& result)
+{
+  if constexpr (dim == 2)
+    if (points.gradients[0].is_axisymmetric)
+      return integrate_fields<Components<dim, with_potential, with_temperature, true>>(
+          points, view, term, with_tangent, result);
+  integrate_fields<Components<dim, with_potential, with_temperature>>(points, view, term,
+                                                                      with_tangent, result);
+}
+
+/// integrate_cell() for whatever fields are solved for, and the structural heat; nothing where
 /// det F is not positive.
 template <typename EnergyTerm, int dim>
 void integrate(const CellPoints<dim>& points, const CellView<dim>& view, const EnergyTerm& term,
@@ -66,13 +80,13 @@ void integrate(const CellPoints<dim>& points, const CellView<dim>& view, const E
     if constexpr (EnergyTerm::conducts)
       integrate_fields<TemperatureOnly<dim>>(points, view, term, with_tangent, result);
   } else if (potential && temperature)
-    integrate_fields<Components<dim, true, true>>(points, view, term, with_tangent, result);
+    integrate_cell<true, true>(points, view, term, with_tangent, result);
   else if (potential)
-    integrate_fields<Components<dim, true, false>>(points, view, term, with_tangent, result);
+    integrate_cell<true, false>(points, view, term, with_tangent, result);
   else if (temperature)
-    integrate_fields<Components<dim, false, true>>(points, view, term, with_tangent, result);
+    integrate_cell<false, true>(points, view, term, with_tangent, result);
   else
-    integrate_fields<Components<dim, false, false>>(points, view, term, with_tangent, result);
+    integrate_cell<false, false>(points, view, term, with_tangent, result);
 }
 
 } // namespace thelma

@@ -120,9 +120,11 @@ void add_structural_heat(const CellPoints<dim>& points, const CellView<dim>& vie
     for (unsigned int b = 0; b < stride; ++b) {
       for (int c = 0; c < heat; ++c) {
         double sum = 0.;
-        for (int L = 0; L < dim; ++L)
-          sum += (c < dim ? d_dF[axis<dim>(c)][axis<dim>(L)] : -d_dE[axis<dim>(L)]) *
-                 gradients.g[L][b];
+        for (int L = 0; L < (c < dim ? gradients.n_directions() : dim); ++L)
+          if (c >= dim)
+            sum -= d_dE[axis<dim>(L)] * gradients.g[L][b];
+          else if (stretches<dim>(c, L))
+            sum += d_dF[row_of_F<dim>(c, L)][axis<dim>(L)] * gradients.g[L][b];
         T[c][q * stride + b] = sum;
       }
       T[heat][q * stride + b] = w * (rate.h + theta * rate.d_dtheta) * gradients.N[b];

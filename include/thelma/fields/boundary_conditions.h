@@ -66,6 +66,7 @@ private:
                   const std::string& place, unsigned int component, double value, Values& values);
   void fix_supports(const Mesh<dim>& mesh, const DofLayout<dim>& layout);
   void fix_moved_supports(const Mesh<dim>& mesh, const DofLayout<dim>& layout);
+  void fix_axis(const DofLayout<dim>& layout);
   void require_held(const Mesh<dim>& mesh) const;
   void collect_driven();
   void fix_temperatures(const Mesh<dim>& mesh, const DofLayout<dim>& layout);

@@ -20,8 +20,9 @@ public:
 
   /// A quadrature point of a face.
   struct Point {
-    dealii::Tensor<1, dim> x;                      ///< deformed, mm
+    dealii::Point<dim> x;                          ///< deformed, mm
     dealii::Tensor<1, dim> area;                   ///< J F^-T N dA, out of the body, mm^(dim-1)
+    double curvature;                              ///< DofLayout::curvature() there
     const std::vector<double>& shape;              ///< N of the face's nodes
     std::vector<dealii::Tensor<1, dim>> gradients; ///< F^-T Grad N of these nodes
   };
@@ -57,7 +58,8 @@ private:
     std::vector<dealii::Tensor<1, dim>> gradients; ///< of all of the cell's nodes
   };
 
-  static Point deform(const Face& face, const Undeformed& point, const std::vector<double>& values);
+  static Point deform(const DofLayout<dim>& layout, const Face& face, const Undeformed& point,
+                      const std::vector<double>& values);
 
   std::vector<Face> faces;
   std::vector<std::vector<Undeformed>> points; ///< of each face
@@ -74,7 +76,7 @@ void DeformedSurface<dim>::visit(const DofLayout<dim>& layout, const BlockVector
     layout.gather(*faces[f].cell, x, values);
     deformed.clear();
     for (const Undeformed& point : points[f])
-      deformed.push_back(deform(faces[f], point, values));
+      deformed.push_back(deform(layout, faces[f], point, values));
     visit(faces[f], deformed);
   }
 }

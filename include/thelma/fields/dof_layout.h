@@ -58,7 +58,7 @@ struct Cell {
 /// Which field lives where, and the numbering: displacement everywhere, potential only in regions
 /// that carry a field, temperature only where it is solved for.
 template <int dim>
-class DofLayout : public FieldSet<dim>
+class DofLayout : public FieldSet<dim>, public CrossSection<dim>
 {
 public:
   void declare(dealii::ParameterHandler& prm);

@@ -17,6 +17,12 @@ std::set<dealii::types::global_dof_index>
 dofs_on(const Mesh<dim>& mesh, const DofLayout<dim>& layout, const std::string& surface,
         const std::string& place, unsigned int component);
 
+/// Throws InputError, with @p place in the sentence, where all of the surface @p surface lies on
+/// the axis of a body of revolution: given potentials and temperatures have no effect there, or a
+/// singular one.
+template <int dim>
+void require_off_axis(const Mesh<dim>& mesh, const std::string& surface, const std::string& place);
+
 /// Sum of the entries @p dofs of @p x over all ranks.
 double sum_over(const std::set<dealii::types::global_dof_index>& dofs, const BlockVector& x);
 

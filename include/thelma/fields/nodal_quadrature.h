@@ -12,9 +12,19 @@
 namespace thelma
 {
 
+/// The quadrature of @p d dimensions whose points are the nodes; but in bodies of revolution at
+/// degree 1 Gauss's, which leaves nodes on the axis their share.
+template <int d, int dim>
+dealii::Quadrature<d> nodal_rule(const DofLayout<dim>& layout)
+{
+  const unsigned int n_points = layout.degree() + 1;
+  if (layout.is_axisymmetric() && layout.degree() == 1)
+    return dealii::QGauss<d>(n_points);
+  return dealii::QGaussLobatto<d>(n_points);
+}
+
 /// Add to the entries of @p field in @p nodal the integrals of @p density(cell) times their shape
-/// functions, by the quadrature whose points are the nodes (theory.md, eq. 28); compress(add) comes
-/// later.
+/// functions, by nodal_rule() (theory.md, eq. 28); compress(add) comes later.
 template <int dim>
 void add_nodal_integrals(const DofLayout<dim>& layout, Field field,
                          const std::function<double(const Cell<dim>&)>& density,
@@ -31,12 +41,11 @@ void for_each_nodal_area(const Mesh<dim>& mesh, const DofLayout<dim>& layout,
 {
   const unsigned int component = layout[field].component;
   const bool outer = for_each_outer_face(
-      mesh, layout, name, place, dealii::QGaussLobatto<dim - 1>(layout.degree() + 1),
-      [&](const OuterFace<dim>& face) {
+      mesh, layout, name, place, nodal_rule<dim - 1>(layout), [&](const OuterFace<dim>& face) {
         for (unsigned int a = 0; a < face.values.dofs_per_cell; ++a) {
           double area = 0.;
           for (unsigned int q = 0; q < face.values.n_quadrature_points; ++q)
-            area += face.values.JxW(q) * face.values.shape_value(a, q);
+            area += face.area(q) * face.values.shape_value(a, q);
           if (std::abs(area) > 0.)
             visit(face.unknown(a, component), area);
         }

@@ -14,10 +14,16 @@ namespace thelma
 /// One face of a named surface, integrated over.
 template <int dim>
 struct OuterFace {
-  const dealii::FEFaceValues<dim>& values; ///< of the scalar element: JxW and shape functions
+  const dealii::FEFaceValues<dim>& values; ///< of the scalar element: shape functions
   const DofLayout<dim>& layout;
   const std::vector<dealii::types::global_dof_index>& indices; ///< of its cell
   unsigned int fe_index;
+
+  /// The area that quadrature point @p q stands for: mm^2, in plane strain mm.
+  double area(const unsigned int q) const
+  {
+    return layout.depth(values.quadrature_point(q)) * values.JxW(q);
+  }
 
   /// The unknown of @p component at the cell's node @p a.
   dealii::types::global_dof_index unknown(const unsigned int a, const unsigned int component) const
@@ -25,6 +31,17 @@ struct OuterFace {
     return indices[*layout.local_dof(fe_index, a, component)];
   }
 };
+
+/// Whether the face is at the boundary of the body, inside of which the axis of a body of
+/// revolution is.
+template <int dim>
+bool is_outer(const Mesh<dim>& mesh, const typename Mesh<dim>::CellIterator& cell,
+              const unsigned int f)
+{
+  const auto face = cell->face(f);
+  return face->at_boundary() &&
+         !(mesh.cross_section().is_axisymmetric() && face->center()[0] < 1e-9 * face->diameter());
+}
 
 /// Call @p visit(cell, number of the face) for every face of the surface @p name at the boundary of
 /// the body on a cell of this rank; whether there is one on any rank. Throws InputError, with @p
@@ -36,7 +53,7 @@ bool visit_outer_faces(const Mesh<dim>& mesh, const std::string& name, const std
   bool outer = false;
   for (const auto& [cell, vertices] : mesh.surface(name, place))
     for (unsigned int f = 0; f < dealii::GeometryInfo<dim>::faces_per_cell; ++f)
-      if (face_vertices<dim>(f) == vertices && cell->face(f)->at_boundary()) {
+      if (face_vertices<dim>(f) == vertices && is_outer(mesh, cell, f)) {
         outer = true;
         visit(cell, f);
       }
@@ -50,7 +67,8 @@ bool for_each_outer_face(const Mesh<dim>& mesh, const DofLayout<dim>& layout,
                          const dealii::Quadrature<dim - 1>& quadrature, const Visitor& visit)
 {
   dealii::FEFaceValues<dim> values(layout.mapping(), layout.scalar_element(), quadrature,
-                                   dealii::update_values | dealii::update_JxW_values);
+                                   dealii::update_values | dealii::update_JxW_values |
+                                       dealii::update_quadrature_points);
   std::vector<dealii::types::global_dof_index> indices;
   return visit_outer_faces(mesh, name, place, [&](const auto& entity, const unsigned int f) {
     const auto cell = layout.with_unknowns(entity);

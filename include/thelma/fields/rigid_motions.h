@@ -35,7 +35,7 @@ private:
     }
   };
 
-  static std::vector<std::string> free_motions(const std::vector<Held>& body);
+  std::vector<std::string> free_motions(const std::vector<Held>& body) const;
 
   const Mesh<dim>& mesh;
   std::vector<Held> own; ///< by this rank's cells

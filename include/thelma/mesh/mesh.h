@@ -1,6 +1,7 @@
 #pragma once
 
 #include <thelma/base/parameters.h>
+#include <thelma/mesh/cross_section.h>
 #include <thelma/mesh/whole_mesh.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -39,6 +40,8 @@ public:
 
   /// Rank 0 may @p look at all of it, without its imperfection.
   void read(const std::string& folder, const Look& look = {});
+
+  const CrossSection<dim>& cross_section() const { return section; }
 
   /// Whether the edges of cells are arcs, so that quadratic elements need a quadratic geometry.
   bool is_curved() const { return curved != "nowhere"; }
@@ -83,10 +86,12 @@ public:
   std::vector<std::string> surface_names() const;
 
 private:
+  void require_half_plane(const WholeMesh<dim>& whole) const;
   void distribute(const WholeMesh<dim>& whole);
   void set_manifold();
   void find_entities();
 
+  CrossSection<dim> section;
   std::string file, curved = "nowhere";
   std::map<std::string, double> parameters;
   unsigned int refinements = 0;

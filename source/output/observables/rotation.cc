@@ -31,6 +31,11 @@ public:
 
   void setup(const ObservableInput<dim>& scene) override
   {
+    if (scene.layout.is_axisymmetric())
+      throw InputError(this->name.place("Section") +
+                       ": the sections X3 = const of an axisymmetric "
+                       "body become cones and have no rotation; observe displacements, or remove "
+                       "it from Output/Observables");
     const dealii::Mapping<dim>& mapping = scene.layout.mapping();
     const auto& points = scene.layout.scalar_element().get_unit_support_points();
     const auto owned = scene.layout.dof_handler().locally_owned_dofs();

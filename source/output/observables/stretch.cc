@@ -37,17 +37,22 @@ struct SurfaceMean {
       const auto cell = scene.layout.with_unknowns(entity.cell);
       scene.layout.unknowns(cell, dofs);
       for (const unsigned int q : values.quadrature_point_indices()) {
-        area += values.JxW(q);
-        moment += values.JxW(q) * values.quadrature_point(q)[component];
+        const double share = scene.layout.depth(values.quadrature_point(q)) * values.JxW(q);
+        area += share;
+        moment += share * values.quadrature_point(q)[component];
         for (unsigned int a = 0; a < scalar.dofs_per_cell; ++a)
           weights.emplace_back(dofs[*scene.layout.local_dof(cell->active_fe_index(), a, component)],
-                               values.shape_value(a, q) * values.JxW(q));
+                               values.shape_value(a, q) * share);
       }
     }
     comm = scene.layout.communicator();
     if (dealii::Utilities::MPI::logical_or(has_other, comm))
       throw InputError(place + ": '" + surface + "' is a line or a point; name a surface");
     area = dealii::Utilities::MPI::sum(area, comm);
+    if (!(area > 0.))
+      throw InputError(place + ": '" + surface +
+                       "' lies on the axis of the body and has no area; name another surface, or "
+                       "observe a displacement instead");
     position = dealii::Utilities::MPI::sum(moment, comm) / area;
     for (auto& weight : weights)
       weight.second /= area;

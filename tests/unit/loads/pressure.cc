@@ -39,6 +39,15 @@ std::string tube()
          "subsection Electrodes\n set Potential = outer: 0, inner: 1\nend\n";
 }
 
+/// Half a spherical shell, as a body of revolution.
+std::string shell()
+{
+  std::string text = tube();
+  text.replace(text.find("around x2"), 9, "around the origin");
+  text.replace(text.find(", x3_axis: u1"), 13, "");
+  return "set Geometry = axisymmetric\n" + text;
+}
+
 /// A scene under pressure in a random state.
 template <int dim>
 struct Pressed {
@@ -150,6 +159,7 @@ TEST(FollowerPressure, ForcesAreTheGradientOfTheEnclosedVolume)
   check_forces<3>(balloon(1));
   check_forces<3>(balloon(2));
   check_forces<2>(tube());
+  check_forces<2>(shell());
 }
 
 ON_TWO_RANKS(FollowerPressureTangent);
@@ -159,9 +169,11 @@ TEST(FollowerPressureTangent, IsTheDerivativeOfTheResidual)
   check_own_tangent<3>(balloon(1));
   check_own_tangent<3>(balloon(2));
   check_own_tangent<2>(tube());
+  check_own_tangent<2>(shell());
   check_tangent<3>(balloon(1));
   check_tangent<3>(balloon(2));
   check_tangent<2>(tube());
+  check_tangent<2>(shell());
 }
 
 /// The error after one step from a distance d to a random state, held by the forces it needs, falls
@@ -193,11 +205,13 @@ TEST(DeformedSurface, EnclosesASphereAndATube)
   EXPECT_LT(coarse, 1e-3);
   EXPECT_GT(std::log2(coarse / fine), 3.8) << coarse << " " << fine;
 
-  TestScene<2> scene(tube());
-  DeformedSurface<2> surface;
-  surface.setup(scene.mesh, scene.layout, "outer", "");
-  const double own = surface.own_volume(scene.layout, scene.state.x);
-  EXPECT_NEAR(dealii::Utilities::MPI::sum(own, MPI_COMM_WORLD) / pi, 1., 1e-3);
+  for (const auto& [text, exact] : {std::pair{tube(), pi}, std::pair{shell(), 16. / 3. * pi}}) {
+    TestScene<2> scene(text);
+    DeformedSurface<2> surface;
+    surface.setup(scene.mesh, scene.layout, "outer", "");
+    const double own = surface.own_volume(scene.layout, scene.state.x);
+    EXPECT_NEAR(dealii::Utilities::MPI::sum(own, MPI_COMM_WORLD) / exact, 1., 1e-3);
+  }
 }
 
 TEST(FollowerPressure, RefusesFreeEdges)
