@@ -50,7 +50,8 @@ bool for_each_outer_face(const Mesh<dim>& mesh, const DofLayout<dim>& layout,
                          const dealii::Quadrature<dim - 1>& quadrature, const Visitor& visit)
 {
   dealii::FEFaceValues<dim> values(layout.mapping(), layout.scalar_element(), quadrature,
-                                   dealii::update_values | dealii::update_JxW_values);
+                                   dealii::update_values | dealii::update_JxW_values |
+                                       dealii::update_quadrature_points);
   std::vector<dealii::types::global_dof_index> indices;
   return visit_outer_faces(mesh, name, place, [&](const auto& entity, const unsigned int f) {
     const auto cell = layout.with_unknowns(entity);

@@ -91,6 +91,7 @@ public:
   virtual double permittivity(double theta) const = 0;
 
   Thermal thermal;
+  double density = 960.; ///< per reference volume, kg/m^3; 3M's of VHB 4910
 };
 
 /// What the volumetric energy adds to the derivatives when its J is that of @p kin:

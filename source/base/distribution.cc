@@ -1,0 +1,79 @@
+#include <thelma/base/distribution.h>
+#include <thelma/base/error.h>
+#include <thelma/base/quantity.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <cstdlib>
+#include <regex>
+
+namespace thelma
+{
+namespace
+{
+
+/// Whether it begins with a number that only a unit may follow.
+bool is_quantity(const std::string& text)
+{
+  static const std::regex form("[-+]?[.0-9]+([eE][-+]?[0-9]+)? *([^-+*/^.0-9<>=( ].*)?");
+  return std::regex_match(text, form);
+}
+
+/// The first @p n words of @p text, and what follows behind the last of them; all of it where there
+/// is one only.
+std::vector<std::string> split(const std::string& text, const unsigned int n)
+{
+  std::vector<std::string> words{dealii::Utilities::trim(text)};
+  while (words.size() < n) {
+    const std::string rest = words.back();
+    const std::size_t blank = rest.find(' ');
+    if (blank == std::string::npos)
+      return words;
+    words.back() = rest.substr(0, blank);
+    words.push_back(dealii::Utilities::trim(rest.substr(blank)));
+  }
+  return words;
+}
+
+} // namespace
+
+Distribution::Distribution(const std::string& text, const unsigned int n, const std::string& unit)
+{
+  const std::vector<std::string> words = split(text, n);
+  const std::string remedy = "; write " +
+                             (n == 1 ? "a number or an expression"
+                                     : std::to_string(n) + " components with blanks between") +
+                             " in " + unit;
+  if (words.size() < n || words.back().empty())
+    throw InputError("'" + text + "' has too few components" + remedy);
+  bool all = true;
+  for (const std::string& word : words)
+    all = all && is_quantity(word);
+  if (all) {
+    read_numbers(words, unit);
+    return;
+  }
+  if (n > 1 && words.back().find(' ') != std::string::npos)
+    throw InputError("'" + text + "' has too many components" + remedy +
+                     ", and each expression without blanks");
+  for (const std::string& word : words) {
+    formulas.push_back(std::make_shared<Formula<3>>("", word, "x1,x2,x3,t"));
+    in_time = in_time || std::regex_search(word, std::regex("(^|[^A-Za-z0-9_])t($|[^A-Za-z0-9_])"));
+  }
+}
+
+void Distribution::read_numbers(const std::vector<std::string>& words, const std::string& unit)
+{
+  char* behind = nullptr; // the last number
+  std::strtod(words.back().c_str(), &behind);
+  for (std::size_t c = 0; c < words.size(); ++c)
+    numbers.push_back(Quantity(unit).value(c + 1 < words.size() ? words[c] + behind : words[c]));
+}
+
+double Distribution::operator()(const unsigned int component, const dealii::Point<3>& X,
+                                const double time) const
+{
+  return formulas.empty() ? numbers[component] : formulas[component]->at(X, time);
+}
+
+} // namespace thelma
