@@ -37,7 +37,9 @@ std::vector<std::string> split(const std::string& text, const unsigned int n)
 
 } // namespace
 
-Distribution::Distribution(const std::string& text, const unsigned int n, const std::string& unit)
+template <int dim>
+Distribution<dim>::Distribution(const std::string& text, const unsigned int n,
+                                const std::string& unit)
 {
   const std::vector<std::string> words = split(text, n);
   const std::string remedy = "; write " +
@@ -57,12 +59,14 @@ Distribution::Distribution(const std::string& text, const unsigned int n, const 
     throw InputError("'" + text + "' has too many components" + remedy +
                      ", and each expression without blanks");
   for (const std::string& word : words) {
-    formulas.push_back(std::make_shared<Formula<3>>("", word, "x1,x2,x3,t"));
+    formulas.push_back(
+        std::make_shared<Formula<dim>>("", word, dim == 3 ? "x1,x2,x3,t" : "x1,x3,t"));
     in_time = in_time || std::regex_search(word, std::regex("(^|[^A-Za-z0-9_])t($|[^A-Za-z0-9_])"));
   }
 }
 
-void Distribution::read_numbers(const std::vector<std::string>& words, const std::string& unit)
+template <int dim>
+void Distribution<dim>::read_numbers(const std::vector<std::string>& words, const std::string& unit)
 {
   char* behind = nullptr; // the last number
   std::strtod(words.back().c_str(), &behind);
@@ -70,10 +74,14 @@ void Distribution::read_numbers(const std::vector<std::string>& words, const std
     numbers.push_back(Quantity(unit).value(c + 1 < words.size() ? words[c] + behind : words[c]));
 }
 
-double Distribution::operator()(const unsigned int component, const dealii::Point<3>& X,
-                                const double time) const
+template <int dim>
+double Distribution<dim>::operator()(const unsigned int component, const dealii::Point<dim>& X,
+                                     const double time) const
 {
   return formulas.empty() ? numbers[component] : formulas[component]->at(X, time);
 }
+
+template class Distribution<2>;
+template class Distribution<3>;
 
 } // namespace thelma

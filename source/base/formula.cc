@@ -43,6 +43,7 @@ Formula<n>::Formula(const std::string& place, const std::string& expression,
 }
 
 template class Formula<1>;
+template class Formula<2>;
 template class Formula<3>;
 
 } // namespace thelma

@@ -1,4 +1,3 @@
-#include <thelma/base/axes.h>
 #include <thelma/base/error.h>
 #include <thelma/base/input_errors.h>
 #include <thelma/base/parameters.h>
@@ -20,11 +19,12 @@ void DensityLoad<dim>::declare(dealii::ParameterHandler& prm)
   using namespace dealii::Patterns;
   const Section section(prm, {kind.entry.section});
   prm.add_parameter(kind.entry.name, texts,
-                    kind.sentence + ", as `" + kind.example + "`. " + Distribution::sentence +
+                    kind.sentence + ", as `" + kind.example + "`. " + Distribution<dim>::sentence +
                         ". Unit: " + kind.unit + ".",
                     Map(Anything(), Anything(), 0, 100));
-  check_values(prm, kind.entry.name,
-               [this](const std::string& text) { Distribution(text, n_components(), kind.unit); });
+  check_values(prm, kind.entry.name, [this](const std::string& text) {
+    Distribution<dim>(text, n_components(), kind.unit);
+  });
 }
 
 template <int dim>
@@ -45,8 +45,8 @@ void DensityLoad<dim>::setup(const LoadInput<dim>& input)
       if (kind.on == DensityKind::On::regions)
         require_region(*mesh, name, entry().place());
       require_field(name);
-      const Distribution& density =
-          densities.emplace(name, Distribution(text, n_components(), kind.unit)).first->second;
+      const Distribution<dim>& density =
+          densities.emplace(name, Distribution<dim>(text, n_components(), kind.unit)).first->second;
       in_time = in_time || density.changes_in_time();
     });
   errors.raise();
@@ -93,7 +93,7 @@ void DensityLoad<dim>::integrate_regions(const double time, BlockVector& nodal) 
     for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
       for (unsigned int c = 0; c < n_components(); ++c) {
         const double amount =
-            sign * values.JxW(q) * found->second(c, in_space(values.quadrature_point(q)), time);
+            sign * values.JxW(q) * found->second(c, values.quadrature_point(q), time);
         for (unsigned int a = 0; a < values.dofs_per_cell; ++a)
           nodal(cell.dofs[cell.unknown(a, kind.field) + c]) += amount * values.shape_value(a, q);
       }
@@ -111,8 +111,8 @@ void DensityLoad<dim>::integrate_surfaces(const double time, BlockVector& nodal)
         [&, &density = density](const OuterFace<dim>& face) {
           for (unsigned int q = 0; q < face.values.n_quadrature_points; ++q)
             for (unsigned int c = 0; c < n_components(); ++c) {
-              const double amount = sign * face.values.JxW(q) *
-                                    density(c, in_space(face.values.quadrature_point(q)), time);
+              const double amount =
+                  sign * face.values.JxW(q) * density(c, face.values.quadrature_point(q), time);
               for (unsigned int a = 0; a < face.values.dofs_per_cell; ++a)
                 if (const double part = face.values.shape_value(a, q); std::abs(part) > 0.)
                   nodal(face.unknown(a, first + c)) += amount * part;

@@ -1,4 +1,3 @@
-#include <thelma/base/axes.h>
 #include <thelma/base/distribution.h>
 #include <thelma/base/parameters.h>
 #include <thelma/loads/load_list.h>
@@ -27,7 +26,7 @@ public:
                       "Components of the acceleration in multiples of g = 9.80665 m/s^2, as `" +
                           std::string(dim == 3 ? "0 " : "") +
                           "0 -1`, to which the stage `gravity` (Loading/Stages) goes. " +
-                          Distribution::sentence +
+                          Distribution<dim>::sentence +
                           ". Weights follow from Materials/.../Density. Empty: none.");
     prm.add_action("Gravity", [this](const std::string& text) {
       multiples.reset();
@@ -69,7 +68,7 @@ private:
       for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
         for (unsigned int d = 0; d < dim; ++d) {
           const double weight = unit * cell.material->density * values.JxW(q) *
-                                (*multiples)(d, in_space(values.quadrature_point(q)), time);
+                                (*multiples)(d, values.quadrature_point(q), time);
           for (unsigned int a = 0; a < values.dofs_per_cell; ++a)
             nodal(cell.dofs[cell.unknown(a, Field::displacement) + d]) +=
                 weight * values.shape_value(a, q);
@@ -77,7 +76,7 @@ private:
     }
   }
 
-  std::optional<Distribution> multiples; ///< of g
+  std::optional<Distribution<dim>> multiples; ///< of g
   const DofLayout<dim>* layout = nullptr;
   NodalForces<dim> forces;
 };

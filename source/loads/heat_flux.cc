@@ -1,4 +1,3 @@
-#include <thelma/base/axes.h>
 #include <thelma/base/distribution.h>
 #include <thelma/base/parameters.h>
 #include <thelma/fields/nodal_quadrature.h>
@@ -25,9 +24,10 @@ public:
         "Flux", texts,
         "Heat flux into the body through surfaces, per area of the undeformed surface, as "
         "`outer: 0.5`. " +
-            std::string(Distribution::sentence) + ". Unit: mW/mm^2.",
+            std::string(Distribution<dim>::sentence) + ". Unit: mW/mm^2.",
         dealii::Patterns::Map(dealii::Patterns::Anything(), dealii::Patterns::Anything(), 0, 100));
-    check_values(prm, "Flux", [](const std::string& text) { Distribution(text, 1, "mW/mm^2"); });
+    check_values(prm, "Flux",
+                 [](const std::string& text) { Distribution<dim>(text, 1, "mW/mm^2"); });
   }
 
   void setup(const LoadInput<dim>& input) override
@@ -40,8 +40,8 @@ public:
     bool in_time = false;
     fluxes.clear();
     for (const auto& [name, text] : texts) {
-      const Distribution& given =
-          fluxes.emplace(name, Distribution(text, 1, "mW/mm^2")).first->second;
+      const Distribution<dim>& given =
+          fluxes.emplace(name, Distribution<dim>(text, 1, "mW/mm^2")).first->second;
       in_time = in_time || given.changes_in_time();
     }
     powers.setup(entry(), *this->layout, in_time,
@@ -66,12 +66,12 @@ private:
       for_each_nodal_area(*mesh, *this->layout, name, entry().place(), Field::temperature,
                           "heat can flow only through these",
                           [&, &flux = flux](const auto unknown, const double area, const auto& X) {
-                            nodal(unknown) += area * flux(0, in_space(X), time);
+                            nodal(unknown) += area * flux(0, X, time);
                           });
   }
 
   std::map<std::string, std::string> texts;
-  std::map<std::string, Distribution> fluxes; ///< mW/mm^2
+  std::map<std::string, Distribution<dim>> fluxes; ///< mW/mm^2
   const Mesh<dim>* mesh = nullptr;
   NodalForces<dim> powers; ///< mW
 };

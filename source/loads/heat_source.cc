@@ -1,4 +1,3 @@
-#include <thelma/base/axes.h>
 #include <thelma/base/distribution.h>
 #include <thelma/base/parameters.h>
 #include <thelma/fields/nodal_quadrature.h>
@@ -24,9 +23,10 @@ public:
     prm.add_parameter(
         "Source", texts,
         "Heat source R of regions, per undeformed volume, as `film: 0.5`. " +
-            std::string(Distribution::sentence) + ". Unit: mW/mm^3.",
+            std::string(Distribution<dim>::sentence) + ". Unit: mW/mm^3.",
         dealii::Patterns::Map(dealii::Patterns::Anything(), dealii::Patterns::Anything(), 0, 100));
-    check_values(prm, "Source", [](const std::string& text) { Distribution(text, 1, "mW/mm^3"); });
+    check_values(prm, "Source",
+                 [](const std::string& text) { Distribution<dim>(text, 1, "mW/mm^3"); });
   }
 
   void setup(const LoadInput<dim>& input) override
@@ -40,8 +40,8 @@ public:
     sources.clear();
     for (const auto& [name, text] : texts) {
       require_region(*mesh, name, entry().place());
-      const Distribution& given =
-          sources.emplace(name, Distribution(text, 1, "mW/mm^3")).first->second;
+      const Distribution<dim>& given =
+          sources.emplace(name, Distribution<dim>(text, 1, "mW/mm^3")).first->second;
       in_time = in_time || given.changes_in_time();
     }
     powers.setup(entry(), *this->layout, in_time,
@@ -66,13 +66,13 @@ private:
         *this->layout, Field::temperature,
         [&](const Cell<dim>& cell, const dealii::Point<dim>& X) {
           const auto found = sources.find(mesh->region_of(cell.iterator));
-          return found == sources.end() ? 0. : found->second(0, in_space(X), time);
+          return found == sources.end() ? 0. : found->second(0, X, time);
         },
         nodal);
   }
 
   std::map<std::string, std::string> texts;
-  std::map<std::string, Distribution> sources; ///< mW/mm^3
+  std::map<std::string, Distribution<dim>> sources; ///< mW/mm^3
   const Mesh<dim>* mesh = nullptr;
   NodalForces<dim> powers; ///< mW
 };

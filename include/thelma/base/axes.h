@@ -1,7 +1,5 @@
 #pragma once
 
-#include <deal.II/base/point.h>
-
 #include <string>
 
 namespace thelma
@@ -14,16 +12,6 @@ template <int dim>
 constexpr int axis(const int d)
 {
   return dim == 3 ? d : 2 * d;
-}
-
-/// A point of a scene in space.
-template <int dim>
-dealii::Point<3> in_space(const dealii::Point<dim>& X)
-{
-  dealii::Point<3> point;
-  for (int d = 0; d < dim; ++d)
-    point[axis<dim>(d)] = X[d];
-  return point;
 }
 
 /// "u1", "u3", ... for direction @p d.

@@ -57,7 +57,7 @@ private:
 
   DensityKind kind;
   std::map<std::string, std::string> texts;
-  std::map<std::string, Distribution> densities;
+  std::map<std::string, Distribution<dim>> densities;
   const Mesh<dim>* mesh = nullptr;
   const DofLayout<dim>* layout = nullptr;
   NodalForces<dim> forces;

@@ -4,7 +4,6 @@
 #include "marks.h"
 #include "scene.h"
 
-#include <thelma/base/axes.h>
 #include <thelma/base/distribution.h>
 
 #include <gtest/gtest.h>
@@ -20,17 +19,17 @@ using namespace thelma_test;
 TEST(Densities, AreNumbersOrExpressions)
 {
   const dealii::Point<3> X(2., 3., 5.);
-  const Distribution numbers("1 -2.5 0.003 kPa", 3, "MPa");
+  const Distribution<3> numbers("1 -2.5 0.003 kPa", 3, "MPa");
   EXPECT_DOUBLE_EQ(numbers(0, X, 0.), 1e-3);
   EXPECT_DOUBLE_EQ(numbers(1, X, 0.), -2.5e-3);
   EXPECT_DOUBLE_EQ(numbers(2, X, 0.), 3e-6);
   EXPECT_FALSE(numbers.changes_in_time());
-  const Distribution mixed("x1*x2 -2.5 sqrt(x3+t)", 3, "MPa");
+  const Distribution<3> mixed("x1*x2 -2.5 sqrt(x3+t)", 3, "MPa");
   EXPECT_DOUBLE_EQ(mixed(0, X, 4.), 6.);
   EXPECT_DOUBLE_EQ(mixed(1, X, 4.), -2.5);
   EXPECT_DOUBLE_EQ(mixed(2, X, 4.), 3.);
   EXPECT_TRUE(mixed.changes_in_time());
-  const Distribution one("2*x1 + 1e-3*pi", 1, "mW/mm^3");
+  const Distribution<3> one("2*x1 + 1e-3*pi", 1, "mW/mm^3");
   EXPECT_DOUBLE_EQ(one(0, X, 0.), 4. + 1e-3 * std::acos(-1.));
   EXPECT_FALSE(one.changes_in_time());
 }
@@ -39,7 +38,7 @@ TEST(Densities, SayWhatIsWrong)
 {
   const auto sentence = [](const std::string& text, const unsigned int n) {
     try {
-      Distribution(text, n, "MPa");
+      Distribution<3>(text, n, "MPa");
     } catch (const InputError& error) {
       return std::string(error.what());
     }
@@ -48,6 +47,7 @@ TEST(Densities, SayWhatIsWrong)
   EXPECT_NE(sentence("1 2", 3).find("too few components"), std::string::npos);
   EXPECT_NE(sentence("x1 x2 x3 x1", 3).find("too many components"), std::string::npos);
   EXPECT_NE(sentence("y", 1).find("x1,x2,x3,t"), std::string::npos);
+  EXPECT_THROW(Distribution<2>("x2", 1, "MPa"), InputError);
   EXPECT_NE(sentence("1 2 3 mm", 3).find("a length"), std::string::npos);
 }
 
