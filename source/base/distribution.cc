@@ -15,8 +15,11 @@ namespace
 /// Whether it begins with a number that only a unit may follow.
 bool is_quantity(const std::string& text)
 {
-  static const std::regex form("[-+]?[.0-9]+([eE][-+]?[0-9]+)? *([^-+*/^.0-9<>=( ].*)?");
-  return std::regex_match(text, form);
+  static const std::string operators = "-+*/^.0123456789<>=!&|?(";
+  char* behind = nullptr; // the number
+  std::strtod(text.c_str(), &behind);
+  const std::string rest = dealii::Utilities::trim(behind);
+  return behind != text.c_str() && (rest.empty() || operators.find(rest[0]) == std::string::npos);
 }
 
 /// The first @p n words of @p text, and what follows behind the last of them; all of it where there
@@ -45,7 +48,7 @@ Distribution<dim>::Distribution(const std::string& text, const unsigned int n,
   const std::string remedy = "; write " +
                              (n == 1 ? "a number or an expression"
                                      : std::to_string(n) + " components with blanks between") +
-                             " in " + unit;
+                             (unit == "1" ? "" : " in " + unit);
   if (words.size() < n || words.back().empty())
     throw InputError("'" + text + "' has too few components" + remedy);
   bool all = true;

@@ -29,6 +29,8 @@ TEST(Densities, AreNumbersOrExpressions)
   EXPECT_DOUBLE_EQ(mixed(1, X, 4.), -2.5);
   EXPECT_DOUBLE_EQ(mixed(2, X, 4.), 3.);
   EXPECT_TRUE(mixed.changes_in_time());
+  const Distribution<3> scaled("2e-4*x3", 1, "MPa");
+  EXPECT_DOUBLE_EQ(scaled(0, X, 0.), 1e-3);
   const Distribution<3> one("2*x1 + 1e-3*pi", 1, "mW/mm^3");
   EXPECT_DOUBLE_EQ(one(0, X, 0.), 4. + 1e-3 * std::acos(-1.));
   EXPECT_FALSE(one.changes_in_time());
