@@ -18,7 +18,8 @@ void HeatStorage<dim>::setup(const DofLayout<dim>& layout,
   block = layout.block(Field::temperature);
   capacities = layout.new_vector();
   add_nodal_integrals<dim>(
-      layout, Field::temperature, [](const Cell<dim>& cell) { return cell.material->thermal.c; },
+      layout, Field::temperature,
+      [](const Cell<dim>& cell, const dealii::Point<dim>&) { return cell.material->thermal.c; },
       capacities);
   capacities.compress(dealii::VectorOperation::add);
   const auto begin = capacities.get_block_indices().block_start(block);

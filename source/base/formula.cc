@@ -1,6 +1,7 @@
 #include <thelma/base/error.h>
 #include <thelma/base/formula.h>
 
+#include <algorithm>
 #include <iostream>
 #include <regex>
 #include <sstream>
@@ -29,18 +30,20 @@ Formula<n>::Formula(const std::string& place, const std::string& expression,
   auto* const cerr = std::cerr.rdbuf(parser_noise.rdbuf());
   std::string problem;
   try {
-    parser.initialize(variables, expression, {{"pi", dealii::numbers::PI}});
+    parser.initialize(variables, expression, {{"pi", dealii::numbers::PI}},
+                      std::count(variables.begin(), variables.end(), ',') == n);
     parser.value(dealii::Point<n>()); // the first value is what parses
   } catch (const dealii::ExceptionBase&) {
     problem = reason(parser_noise.str());
   }
   std::cerr.rdbuf(cerr);
   if (!problem.empty())
-    throw InputError(place + ": cannot evaluate '" + expression + "' (" + problem +
-                     "); write an expression of " + variables);
+    throw InputError((place.empty() ? "" : place + ": ") + "cannot evaluate '" + expression +
+                     "' (" + problem + "); write an expression of " + variables);
 }
 
 template class Formula<1>;
+template class Formula<2>;
 template class Formula<3>;
 
 } // namespace thelma

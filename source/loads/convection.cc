@@ -48,7 +48,8 @@ public:
     for (const auto& [name, coefficient] : coefficients)
       for_each_nodal_area(input.mesh, *this->layout, name, entry().place(), Field::temperature,
                           "heat can flow only through these",
-                          [&, name = name, h = coefficient](const auto unknown, const double area) {
+                          [&, name = name, h = coefficient](const auto unknown, const double area,
+                                                            const auto& /*X*/) {
                             conductances(unknown) += area * h;
                             ambient(unknown) += area * h * surroundings.at(name);
                           });
@@ -66,15 +67,16 @@ public:
       check_wall_temperature(theta, temperature, time, level);
   }
 
-  void add_forces(const double factor, const double level, const State& state, const BlockVector& x,
+  void add_forces(const double factor, const Instant& at, const State& state, const BlockVector& x,
                   BlockVector& nodal) const override
   {
     const unsigned int b = this->layout->block(Field::temperature);
     const auto &G = conductances.block(b), &A = ambient.block(b), &now = x.block(b);
     for (unsigned int i = 0; i < G.locally_owned_size(); ++i)
       nodal.block(b).local_element(i) +=
-          factor * (level * A.local_element(i) -
-                    G.local_element(i) * (now.local_element(i) - (1. - level) * state.theta_start));
+          factor *
+          (at.level * A.local_element(i) -
+           G.local_element(i) * (now.local_element(i) - (1. - at.level) * state.theta_start));
   }
 
   void add_tangent(const State& /*state*/, TangentEntries<dim>& tangent) const override

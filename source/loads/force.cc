@@ -91,13 +91,14 @@ public:
   bool is_present() const override { return !texts.empty(); }
   SceneEntry entry() const override { return {"Loads", "Force"}; }
   Field acts_on() const override { return Field::displacement; }
+  bool is_dead() const override { return true; }
   AmplitudeEntry amplitude() const override { return {"Force", "Multiple of the forces"}; }
   LevelText text() const override { return {"", " times the force"}; }
 
-  void add_forces(const double factor, const double level, const State& /*state*/,
+  void add_forces(const double factor, const Instant& at, const State& /*state*/,
                   const BlockVector& /*x*/, BlockVector& nodal) const override
   {
-    nodal.add(factor * level, forces);
+    nodal.add(factor * at.level, forces);
   }
 
 private:

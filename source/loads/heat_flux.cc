@@ -1,8 +1,9 @@
+#include <thelma/base/distribution.h>
 #include <thelma/base/parameters.h>
-#include <thelma/base/quantity.h>
 #include <thelma/fields/nodal_quadrature.h>
 #include <thelma/loads/heat_load.h>
 #include <thelma/loads/load_list.h>
+#include <thelma/loads/nodal_forces.h>
 
 #include <map>
 
@@ -19,10 +20,14 @@ public:
   void declare(dealii::ParameterHandler& prm) override
   {
     const Section section(prm, {"Heat"});
-    add_quantity(prm, "Flux", fluxes,
-                 "Heat flux into the body through surfaces, per area of the undeformed surface, as "
-                 "`outer: 0.5`.",
-                 Quantity("mW/mm^2"));
+    prm.add_parameter(
+        "Flux", texts,
+        "Heat flux into the body through surfaces, per area of the undeformed surface, as "
+        "`outer: 0.5`. " +
+            std::string(Distribution<dim>::sentence) + ". Unit: mW/mm^2.",
+        dealii::Patterns::Map(dealii::Patterns::Anything(), dealii::Patterns::Anything(), 0, 100));
+    check_values(prm, "Flux",
+                 [](const std::string& text) { Distribution<dim>(text, 1, "mW/mm^2"); });
   }
 
   void setup(const LoadInput<dim>& input) override
@@ -31,30 +36,44 @@ public:
     this->require_field(entry(), is_present());
     if (!is_present())
       return;
-    powers = this->layout->new_vector();
-    for (const auto& [name, flux] : fluxes)
-      for_each_nodal_area(input.mesh, *this->layout, name, entry().place(), Field::temperature,
-                          "heat can flow only through these",
-                          [this, flux = flux](const auto unknown, const double area) {
-                            powers(unknown) += area * flux;
-                          });
-    powers.compress(dealii::VectorOperation::add);
+    mesh = &input.mesh;
+    bool in_time = false;
+    fluxes.clear();
+    for (const auto& [name, text] : texts) {
+      const Distribution<dim>& given =
+          fluxes.emplace(name, Distribution<dim>(text, 1, "mW/mm^2")).first->second;
+      in_time = in_time || given.changes_in_time();
+    }
+    powers.setup(entry(), *this->layout, in_time,
+                 [this](const double time, BlockVector& nodal) { integrate(time, nodal); });
   }
 
-  bool is_present() const override { return !fluxes.empty(); }
+  bool is_present() const override { return !texts.empty(); }
   SceneEntry entry() const override { return {"Heat", "Flux"}; }
   AmplitudeEntry amplitude() const override { return heat_amplitude; }
   bool acts_at_once() const override { return false; }
 
-  void add_forces(const double factor, const double level, const State& /*state*/,
+  void add_forces(const double factor, const Instant& at, const State& /*state*/,
                   const BlockVector& /*x*/, BlockVector& nodal) const override
   {
-    nodal.add(factor * level, powers);
+    powers.add(factor * at.level, at.time, nodal);
   }
 
 private:
-  std::map<std::string, double> fluxes; ///< mW/mm^2
-  BlockVector powers;                   ///< mW
+  void integrate(const double time, BlockVector& nodal) const
+  {
+    for (const auto& [name, flux] : fluxes)
+      for_each_nodal_area(*mesh, *this->layout, name, entry().place(), Field::temperature,
+                          "heat can flow only through these",
+                          [&, &flux = flux](const auto unknown, const double area, const auto& X) {
+                            nodal(unknown) += area * flux(0, X, time);
+                          });
+  }
+
+  std::map<std::string, std::string> texts;
+  std::map<std::string, Distribution<dim>> fluxes; ///< mW/mm^2
+  const Mesh<dim>* mesh = nullptr;
+  NodalForces<dim> powers; ///< mW
 };
 
 } // namespace

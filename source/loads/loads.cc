@@ -95,7 +95,7 @@ void Loads<dim>::add_forces(const double factor, const State& state, const Block
 {
   for (const Item& item : items)
     if (item.load->is_present() && counts(item.load->acts_on()))
-      item.load->add_forces(factor, item.load->level(), state, x, nodal);
+      item.load->add_forces(factor, {item.load->level(), state.time}, state, x, nodal);
 }
 
 template <int dim>
@@ -121,6 +121,32 @@ HeatInflow Loads<dim>::heat_inflow(const DofLayout<dim>& layout, const State& st
   }
   dealii::Utilities::MPI::sum(own, layout.communicator(), sum);
   return {sum[0], sum[1]};
+}
+
+/// Forces are given along the way of the displacements; charges come to where the potential is.
+template <int dim>
+double Loads<dim>::work(const DofLayout<dim>& layout, const State& state, const Accepted& before,
+                        const Accepted& now) const
+{
+  const auto forces = [&](const Accepted& at) {
+    BlockVector nodal = layout.new_vector();
+    for (std::size_t i = 0; i < items.size(); ++i)
+      if (items[i].load->is_present() && items[i].load->acts_on() != Field::temperature)
+        items[i].load->add_forces(1., {at.levels[i], at.time}, state, at.x, nodal);
+    nodal.compress(dealii::VectorOperation::add);
+    return nodal;
+  };
+  const BlockVector early = forces(before), late = forces(now);
+  const unsigned int u = layout.block(Field::displacement);
+  double twice = 0.;
+  for (const BlockVector* force : {&early, &late})
+    twice += force->block(u) * now.x.block(u) - force->block(u) * before.x.block(u);
+  if (layout.has(Field::potential)) {
+    const unsigned int phi = layout.block(Field::potential);
+    for (const Accepted* at : {&before, &now})
+      twice += early.block(phi) * at->x.block(phi) - late.block(phi) * at->x.block(phi);
+  }
+  return twice / 2.;
 }
 
 template <int dim>

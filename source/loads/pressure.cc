@@ -48,11 +48,11 @@ public:
   LevelText text() const override { return {"", " times the pressure"}; }
 
   /// Eq. (60).
-  void add_forces(const double factor, const double level, const State& /*state*/,
+  void add_forces(const double factor, const Instant& at, const State& /*state*/,
                   const BlockVector& x, BlockVector& nodal) const override
   {
     for (const Loaded& loaded : surfaces) {
-      const double pressure = factor * level * loaded.pressure;
+      const double pressure = factor * at.level * loaded.pressure;
       loaded.surface.visit(*layout, x, [&](const auto& face, const auto& points) {
         for (const auto& point : points)
           for (std::size_t a = 0; a < face.nodes.size(); ++a)

@@ -2,6 +2,8 @@
 #include <thelma/base/parameters.h>
 #include <thelma/loads/stages.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
 #include <map>
 #include <sstream>
@@ -49,20 +51,21 @@ void Stages::read(const std::vector<std::string>& loads, const std::string& usua
 
 Stage Stages::parse(const std::string& text, const std::vector<std::string>& loads) const
 {
-  std::istringstream words(text);
-  std::string word, rest;
-  words >> word;
-  const auto found = std::find(loads.begin(), loads.end(), word);
+  const std::size_t blank = std::min(text.rfind(' '), text.size());
+  const std::string name = dealii::Utilities::trim(text.substr(0, blank)),
+                    rest = text.substr(blank);
+  std::istringstream words(rest);
+  const auto found = std::find(loads.begin(), loads.end(), name);
   Stage stage;
   bool is_read = false;
-  if (word == "connect" || word == "disconnect") {
-    stage.kind = word == "connect" ? Stage::Kind::connect : Stage::Kind::disconnect;
+  if (name == "connect" || name == "disconnect") {
+    stage.kind = name == "connect" ? Stage::Kind::connect : Stage::Kind::disconnect;
     is_read = static_cast<bool>(words >> stage.electrode);
-  } else if (!word.empty() && found != loads.end()) {
+  } else if (!name.empty() && found != loads.end()) {
     stage.load = found - loads.begin();
     is_read = static_cast<bool>(words >> stage.level);
   }
-  if (!is_read || words >> rest)
+  if (!is_read || !(words >> std::ws).eof())
     throw InputError(std::string(place) + ": '" + text + "' is no stage; write " +
                      alternatives(loads) +
                      " with a number, or connect or disconnect with an electrode");

@@ -1,4 +1,5 @@
 #include <thelma/base/error.h>
+#include <thelma/base/quantity.h>
 #include <thelma/materials/library.h>
 #include <thelma/materials/material_list.h>
 
@@ -142,6 +143,8 @@ void MaterialLibrary::declare(dealii::ParameterHandler& prm)
     declare_laws(prm, name, entry);
     const Section section(prm, {"Materials", name});
     entry.material->declare(prm);
+    add_quantity(prm, "Density", entry.material->density, "Mass density, for Loads/Gravity.",
+                 Quantity("kg/m^3", 0.));
   }
 }
 

@@ -29,11 +29,15 @@ def check_value(what, found, exact, tolerance):
 
 
 def check_steady(program, folder, ranks):
-    """Bottom at 353 K: k/L (353 - x) = h (x - 293) with h = k/L; q L/k = 1 K; R L^2/(2k) = 0.5 K."""
+    """Bottom at 353 K: k/L (353 - x) = h (x - 293) with h = k/L; q L/k = 1 K; R L^2/(2k) = 0.5 K; a
+    source r x3 gives r L^3/(3k) = 1/6 K, which Q2 has at the nodes; a flux of the same mean as
+    before the same mean."""
     for what, entries, exact in [
             ("convection", ["Heat/Convection=top: 0.32", "Heat/Surroundings=top: 293"], 323.0),
             ("flux", ["Heat/Flux=top: 0.32"], 354.0),
-            ("source", ["Heat/Source=film: 0.64"], 353.5)]:
+            ("flux of x1", ["Heat/Flux=top: 0.32 + 2*(x1 - 0.05)"], 354.0),
+            ("source", ["Heat/Source=film: 0.64"], 353.5),
+            ("source of x3", ["Heat/Source=film: 0.64*x3", "Discretisation/Degree=2"], 353 + 1 / 6)]:
         case = run(program, folder, SLAB, ["Temperature/Model=steady", *entries], ranks)
         check_value(f"{what}, {ranks} rank(s)", case.curve("probe_theta_K")["probe_theta_K"][-1],
                     exact, 1e-9)
@@ -49,6 +53,18 @@ def check_transient(program, folder):
         case = run(program, folder, SLAB, [*insulated, f"Time/Heat amplitude={amplitude}"])
         # The ramp's kink and the first step cost the order, not the limit.
         check_value(f"flux as a {what}", case.curve("theta_K")["theta_K"][-1], exact, 0.03)
+
+
+def check_expressions_in_time(program, folder):
+    """The insulated slab under a flux 2 q t and a source of the same power: c L (theta - 293) = 2 q t^2/2
+    each, the second times an amplitude of 1/2."""
+    for what, entries, exact in [
+            ("flux of t", ["Heat/Flux=bottom: 0.96*t"], 295.0),
+            ("source of t and x3", ["Heat/Source=film: 15.36*x3*t", "Time/Heat amplitude=0.5"], 295.0)]:
+        case = run(program, folder, SLAB, ["Temperature/Fixed=", "Time/End=2", "Time/Initial step=0.05",
+                                           "Time/Tolerance=0", *entries])
+        # The first step, of first order, is off by its square times a quarter of the rate's rate.
+        check_value(what, case.curve("theta_K")["theta_K"][-1], exact, 0.01)
 
 
 def check_nothing_is_stepped_over(program, folder):
@@ -113,6 +129,7 @@ def main():
         for ranks in all_ranks:
             check_steady(program, folder, ranks)
         check_transient(program, folder)
+        check_expressions_in_time(program, folder)
         check_nothing_is_stepped_over(program, folder)
         check_wall_amplitude(program, folder)
         check_no_conduction(program, folder)

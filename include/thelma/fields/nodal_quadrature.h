@@ -23,17 +23,19 @@ dealii::Quadrature<d> nodal_rule(const DofLayout<dim>& layout)
   return dealii::QGaussLobatto<d>(n_points);
 }
 
-/// Add to the entries of @p field in @p nodal the integrals of @p density(cell) times their shape
-/// functions, by nodal_rule() (theory.md, eq. 28); compress(add) comes later.
+/// Add to the entries of @p field in @p nodal the integrals of @p density(cell, point of the
+/// undeformed body) times their shape functions, by nodal_rule() (theory.md, eq. 28);
+/// compress(add) comes later.
 template <int dim>
-void add_nodal_integrals(const DofLayout<dim>& layout, Field field,
-                         const std::function<double(const Cell<dim>&)>& density,
-                         BlockVector& nodal);
+void add_nodal_integrals(
+    const DofLayout<dim>& layout, Field field,
+    const std::function<double(const Cell<dim>&, const dealii::Point<dim>&)>& density,
+    BlockVector& nodal);
 
-/// Call @p visit(unknown of @p field, area in mm^2, in plane strain mm) for the nodes of each outer
-/// face of the surface @p name, by the same quadrature. Throws InputError, with @p place in the
-/// sentence, for an unknown name and for a surface inside of the body, for which @p only tells what
-/// is allowed outside alone.
+/// Call @p visit(unknown of @p field, part of its area in mm^2, in plane strain mm, point of the
+/// undeformed body) for the nodes of each outer face of the surface @p name, by the same
+/// quadrature. Throws InputError, with @p place in the sentence, for an unknown name and for a
+/// surface inside of the body, for which @p only tells what is allowed outside alone.
 template <int dim, typename Visitor>
 void for_each_nodal_area(const Mesh<dim>& mesh, const DofLayout<dim>& layout,
                          const std::string& name, const std::string& place, const Field field,
@@ -42,13 +44,11 @@ void for_each_nodal_area(const Mesh<dim>& mesh, const DofLayout<dim>& layout,
   const unsigned int component = layout[field].component;
   const bool outer = for_each_outer_face(
       mesh, layout, name, place, nodal_rule<dim - 1>(layout), [&](const OuterFace<dim>& face) {
-        for (unsigned int a = 0; a < face.values.dofs_per_cell; ++a) {
-          double area = 0.;
+        for (unsigned int a = 0; a < face.values.dofs_per_cell; ++a)
           for (unsigned int q = 0; q < face.values.n_quadrature_points; ++q)
-            area += face.area(q) * face.values.shape_value(a, q);
-          if (std::abs(area) > 0.)
-            visit(face.unknown(a, component), area);
-        }
+            if (const double area = face.area(q) * face.values.shape_value(a, q);
+                std::abs(area) > 0.)
+              visit(face.unknown(a, component), area, face.values.quadrature_point(q));
       });
   if (!outer)
     throw InputError(place + ": '" + name + "' is no outer surface of the body; " + only);

@@ -37,6 +37,11 @@ struct LoadInput {
   double theta_start, theta;                 ///< reference temperature, Temperature/Value in K
 };
 
+/// How much of a load acts and when.
+struct Instant {
+  double level, time; ///< a multiple of what the scene gives; s
+};
+
 /// How a level of a load is written: `before`, the level times `size`, `after`.
 struct LevelText {
   std::string before, after;
@@ -87,6 +92,10 @@ public:
   /// Whether a jump of it changes the body however soon one looks.
   virtual bool acts_at_once() const { return true; }
 
+  /// Whether it consists of forces that do not depend on the displacement, so that minus their work
+  /// is an energy.
+  virtual bool is_dead() const { return false; }
+
   /// What gives its level over time. Loads may share an entry.
   virtual AmplitudeEntry amplitude() const = 0;
   virtual LevelText text() const { return {}; }
@@ -103,9 +112,9 @@ public:
   /// Write into a converged state what this tells of the load.
   virtual void observe(State&) const {}
 
-  /// Add @p factor times its nodal forces (N, minus uC, mW) at @p level and the nodal values @p x
-  /// to @p nodal, whose compress(add) comes later.
-  virtual void add_forces(double /*factor*/, double /*level*/, const State& /*state*/,
+  /// Add @p factor times its nodal forces (N, minus uC, mW) @p at an instant and the nodal values
+  /// @p x to @p nodal, whose compress(add) comes later.
+  virtual void add_forces(double /*factor*/, const Instant& /*at*/, const State& /*state*/,
                           const BlockVector& /*x*/, BlockVector& /*nodal*/) const
   {
   }

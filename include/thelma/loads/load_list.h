@@ -23,7 +23,17 @@ std::unique_ptr<Load<dim>> make_charge();
 template <int dim>
 std::unique_ptr<Load<dim>> make_force();
 template <int dim>
+std::unique_ptr<Load<dim>> make_traction();
+template <int dim>
+std::unique_ptr<Load<dim>> make_body_force();
+template <int dim>
+std::unique_ptr<Load<dim>> make_gravity();
+template <int dim>
 std::unique_ptr<Load<dim>> make_pressure();
+template <int dim>
+std::unique_ptr<Load<dim>> make_free_charge();
+template <int dim>
+std::unique_ptr<Load<dim>> make_surface_charge();
 template <int dim>
 std::unique_ptr<Load<dim>> make_motion();
 template <int dim>

@@ -56,6 +56,16 @@ public:
   /// What enters the body through loads.
   HeatInflow heat_inflow(const DofLayout<dim>& layout, const State& state) const;
 
+  /// Work in mJ of forces and charges that are given, by the trapezoidal rule between two accepted
+  /// states: levels, time in s and nodal values.
+  struct Accepted {
+    const std::vector<double>& levels;
+    double time;
+    const BlockVector& x;
+  };
+  double work(const DofLayout<dim>& layout, const State& state, const Accepted& before,
+              const Accepted& now) const;
+
   std::vector<double> levels() const;
   void set_levels(const std::vector<double>& levels);
 

@@ -96,6 +96,7 @@ public:
 
   std::string name; ///< of its section
   Thermal thermal;
+  double density = 960.; ///< per reference volume, kg/m^3; 3M's of VHB 4910
 };
 
 /// What the volumetric energy adds to the derivatives when its J is that of @p kin:

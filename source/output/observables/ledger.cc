@@ -196,17 +196,9 @@ private:
       before = path[path.size() - 2].x;
     if (!before)
       return;
-    BlockVector way = scene.state.x;
-    way.zero_out_ghost_values();
-    way -= *before;
-    BlockVector forces = scene.layout.new_vector();
-    for (std::size_t i = 0; i < scene.loads.size(); ++i)
-      if (scene.loads[i].is_present() && scene.loads[i].acts_on() == Field::displacement) {
-        scene.loads[i].add_forces(0.5, loads.levels[i], scene.state, *before, forces);
-        scene.loads[i].add_forces(0.5, now.loads.levels[i], scene.state, scene.state.x, forces);
-      }
-    forces.compress(dealii::VectorOperation::add);
-    sums.loads += forces * way;
+    sums.loads +=
+        scene.loads.work(scene.layout, scene.state, {loads.levels, sums.past.time, *before},
+                         {now.loads.levels, now.numbers.time, scene.state.x});
   }
 
   void add_heat(const Numbers& now)
