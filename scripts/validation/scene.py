@@ -8,8 +8,8 @@ import subprocess
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import launch
-import study
+from thelma import launch
+from thelma import study
 
 ROOT = Path(__file__).resolve().parents[2]
 LAYERS = Path(__file__).resolve().parent / "layers.geo"
