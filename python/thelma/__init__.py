@@ -1,15 +1,16 @@
-"""Thelma from Python: results of the program, and exact solutions.
+"""Thelma from Python: scenes, runs, results, materials (doc/python.md).
 
     import thelma
-    curve = thelma.Case(Path("output/hot")).curve()
+    film = thelma.Scene("prm/planar_actuator.prm", {"Temperature/Value": 353})
+    curve = film.run("output/hot").curve()
 
 Physics are the program's alone: a scene is a parameter file, a result is what the program wrote.
 """
 
 import importlib
 
-WHERE = {"Case": "study", "read_study": "study", "read_fields": "fields",
-         "ThelmaError": "errors"}
+WHERE = {"Scene": "scene", "Case": "study", "read_study": "study", "read_fields": "fields",
+         "MaterialPoint": "material_point", "ThelmaError": "errors"}
 
 
 def __getattr__(name):  # only when asked for: on a bare system there is no numpy yet
