@@ -34,7 +34,7 @@ _thelma()
   esac
   case $word in
   -*)
-    mapfile -t COMPREPLY < <(compgen -W $'--set\n--sweep\n--ranks-per-case\n--output\n--restart\n--estimate\n--check\n--list\n--defaults\n--version\n--help' -- "$word")
+    mapfile -t COMPREPLY < <(compgen -W $'--set\n--sweep\n--ranks-per-case\n--output\n--restart\n--estimate\n--check\n--material-point\n--list\n--defaults\n--version\n--help' -- "$word")
     ;;
   @*)
     mapfile -t COMPREPLY < <(compgen -P @ -f -X '!*.study' -- "${word#@}"

@@ -6,7 +6,7 @@ import tempfile
 from dataclasses import replace
 from pathlib import Path
 
-import interpreter
+from thelma import interpreter
 from accuracy_cases import PEER_PROGRAMS, ROOT
 from accuracy_run import AccuracyError
 

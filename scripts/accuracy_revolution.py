@@ -6,7 +6,7 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-import balloon_exact
+from thelma import balloon_exact
 from accuracy_run import solve_seconds
 from accuracy_table import Row, select
 

@@ -8,7 +8,7 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-import launch
+from thelma import launch
 from accuracy_cases import MODELS, ROOT, TARGETS, reference
 from accuracy_table import Row
 

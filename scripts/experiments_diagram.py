@@ -1,14 +1,14 @@
 """The figures of doc/experiments.md."""
 
-import plotting  # first: says what is missing
-from plotting import DASHED, GREY, line, mark, plt
+from thelma import plotting  # first: says what is missing
+from thelma.plotting import DASHED, GREY, line, mark, plt
 
 import numpy as np
 
 import experiments_data as data
 import experiments_model as model
 import experiments_report as report
-import viscoelastic_exact as exact
+from thelma import viscoelastic_exact as exact
 
 COLORS = ("#1f4e9c", "#b3202c", "#dd9025")
 MEASURED = {"marker": "o", "markersize": 5.5, "linestyle": "", "zorder": 4}

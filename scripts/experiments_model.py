@@ -15,7 +15,7 @@ from scipy.interpolate import PchipInterpolator
 from scipy.optimize import least_squares
 
 import experiments_data as data
-import viscoelastic_exact as exact
+from thelma import viscoelastic_exact as exact
 
 CELSIUS = 273.15
 THETA_R = CELSIUS + 20  # reference temperature of the material and of the shift

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import experiments_data as data
 import experiments_model as model
-import study
+from thelma import study
 
 ROOT = Path(__file__).resolve().parents[1]
 SCENE = ROOT / "prm/relaxation.prm"

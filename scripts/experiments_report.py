@@ -9,7 +9,7 @@ import numpy as np
 import experiments_data as data
 import experiments_model as model
 import experiments_program
-import viscoelastic_exact as exact
+from thelma import viscoelastic_exact as exact
 from accuracy_report import markdown
 
 ROOM = 23  # Celsius, assumed for the tests at three rates
@@ -81,7 +81,7 @@ repeats the fit.*
 
 Published tests of the acrylic VHB 4905 and 4910 beside the viscoelastic material of [theory.md](theory.md), "Memory".
 Every measured number is in `scripts/experiments_data.py` with its source, and no other was used. Stresses are taken as
-nominal. Bodies are homogeneous and incompressible; their histories are those of `scripts/viscoelastic_exact.py`.
+nominal. Bodies are homogeneous and incompressible; their histories are those of `python/thelma/viscoelastic_exact.py`.
 
 | section | tests | parameters | |
 |---|---|---|---|

@@ -1,5 +1,6 @@
 #include <thelma/application/estimate.h>
 #include <thelma/application/excerpt.h>
+#include <thelma/application/material_tests.h>
 #include <thelma/application/run_scene.h>
 #include <thelma/application/study.h>
 #include <thelma/base/input_errors.h>
@@ -103,6 +104,11 @@ ExitCode run(const CommandLine& line, std::ostream& out)
     return explain(line, out);
   case CommandLine::Action::check:
     return check(line, out);
+  case CommandLine::Action::material_point: {
+    std::istream nothing(nullptr); // one rank answers
+    answer_material_tests(line, out.rdbuf() ? std::cin : nothing, out);
+    return ExitCode::success;
+  }
   default:
     if (!line.sweeps.empty())
       return Study(MPI_COMM_WORLD, line).run();

@@ -1,7 +1,7 @@
 """Further actuators, deformed: a balloon, a stack, a gripper, a membrane (doc/actuators.md)."""
 
 import numpy as np
-import plotting
+from thelma import plotting
 from figures import bodies, render, shapes
 
 WIDTH = 4.0  # mm, of a finger

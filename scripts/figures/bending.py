@@ -1,10 +1,10 @@
 """Figure 7 of the paper: tip of the bending actuator against the exact circle."""
 
-import bending_exact
+from thelma import bending_exact
 import numpy as np
-import plotting
+from thelma import plotting
 from figures import curves
-from plotting import COMPUTED, DASHED
+from thelma.plotting import COMPUTED, DASHED
 
 LENGTH, LAYER = 20.0, 0.5  # mm, of prm/bending_actuator.prm
 MEANING = [plotting.line("exact circle"),

@@ -1,22 +1,12 @@
 """Bodies from the program's fields: read, mirrored, given a width."""
 
-import re
 from dataclasses import dataclass
 
 import numpy as np
-import plotting
-import study
 
-try:
-    import vtk
-    from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-except ImportError:
-    raise plotting.PlotError("shapes need VTK for Python; on Debian install python3-vtk9 and use "
-                             "/usr/bin/python3.") from None
-
-vtk.vtkLogger.SetStderrVerbosity(vtk.vtkLogger.VERBOSITY_WARNING)  # 9.3 tells of every edge
-
-CORNERS = {vtk.VTK_QUAD: 4, vtk.VTK_HEXAHEDRON: 8}
+from thelma import plotting
+from thelma.fields import read_fields, vtk  # first: says what is missing
+from vtkmodules.util.numpy_support import numpy_to_vtk
 
 
 @dataclass
@@ -78,39 +68,15 @@ def together(first, second):
     return joined(np.concatenate([first.points, second.points]), cells, fields)
 
 
-def state_file(folder, at=None):
-    """The field file of a run that is nearest to a load or, in time, second; without one the last."""
-    text = study.existing(folder / "fields.pvd").read_text()
-    files = re.findall(r'timestep="([^"]+)".*?file="([^"]+)"', text)
-    if not files:
-        raise study.StudyError(f"{folder / 'fields.pvd'} names no file.")
-    _, name = files[-1] if at is None else min(files, key=lambda file: abs(float(file[0]) - at))
-    return study.existing(folder / name)
-
-
 def load(folder, width=None, at=None):
-    """A state of a run (state_file). A plane one, of x1 and x3, becomes a body of the given width."""
-    path = state_file(folder, at)
-    reader = (vtk.vtkXMLPUnstructuredGridReader if path.suffix == ".pvtu"
-              else vtk.vtkXMLUnstructuredGridReader)()
-    reader.SetFileName(str(path))
-    reader.Update()
-    grid = reader.GetOutput()
-    kind = grid.GetCellType(0) if grid.GetNumberOfCells() else None
-    if kind not in CORNERS:
-        raise plotting.PlotError(f"{path} has no quadrilaterals or hexahedra.")
-    cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, CORNERS[kind])
-    data = grid.GetPointData()
-    fields = {data.GetArrayName(i): vtk_to_numpy(data.GetArray(i))
-              for i in range(data.GetNumberOfArrays())}
-    if "u" not in fields:
-        raise plotting.PlotError(f"{path} has no displacement 'u'.")
-    for name, values in fields.items():
-        if name != "u" and values.ndim == 2:
-            fields[name] = np.linalg.norm(values, axis=1)
-    points = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
-    body = joined(points, cells, fields)
-    return extruded(body, width or 1.0) if kind == vtk.VTK_QUAD else body
+    """A state of a run (thelma.fields). A plane one, of x1 and x3, becomes a body of the given width."""
+    state = read_fields(folder, at)
+    if "u" not in state.values:
+        raise plotting.PlotError(f"the fields of {folder} have no displacement 'u'.")
+    values = {name: np.linalg.norm(one, axis=1) if name != "u" and one.ndim == 2 else one
+              for name, one in state.values.items()}
+    body = joined(state.points, state.cells, values)
+    return extruded(body, width or 1.0) if state.is_plane else body
 
 
 def joined(points, cells, fields):

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-import planar_exact
-import study
+from thelma import planar_exact
+from thelma import study
 
 
 @dataclass

@@ -1,10 +1,10 @@
 """The bending actuator heated in time: its rotation, its temperatures and its shapes."""
 
-import bending_exact
-import plotting
-import study
+from thelma import bending_exact
+from thelma import plotting
+from thelma import study
 from figures import render, shapes
-from plotting import DASHED, GREY, plt
+from thelma.plotting import DASHED, GREY, plt
 
 COLUMNS = ("time_s", "mid_rotation_deg", "theta_K", "theta_min_K", "theta_max_K", "e")
 

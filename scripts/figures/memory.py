@@ -1,13 +1,13 @@
 """Bodies that remember: relaxation, pull-in by rate and by delay, a bending actuator that creeps."""
 
-import bending_exact
-import creeping_exact
+from thelma import bending_exact
+from thelma import creeping_exact
 import numpy as np
-import plotting
-import study
-import viscoelastic_exact as exact
+from thelma import plotting
+from thelma import study
+from thelma import viscoelastic_exact as exact
 from figures import shapes
-from plotting import COMPUTED, DASHED, GREY, LAST, plt
+from thelma.plotting import COMPUTED, DASHED, GREY, LAST, plt
 
 FIELD_LABEL = r"nominal field  $E\,\sqrt{\varepsilon/G}$"
 STRESS_LABEL = "nominal stress  (kPa)"

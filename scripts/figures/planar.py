@@ -1,10 +1,10 @@
 """Figures 2 and 4 of the paper: shear modulus, and thickness stretch of the planar actuator."""
 
 import numpy as np
-import planar_exact as exact
-import plotting
+from thelma import planar_exact as exact
+from thelma import plotting
 from figures import curves
-from plotting import COMPUTED, DASHED, LAST, plt
+from thelma.plotting import COMPUTED, DASHED, LAST, plt
 
 PAST_LIMIT = 0.13  # how far below the lambda_3 of the limit point the unstable branch is drawn
 MEANING = [plotting.line("exact, stable"),

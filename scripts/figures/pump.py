@@ -1,9 +1,9 @@
 """Figure 10 of the paper: centre of the buckling pump."""
 
 import numpy as np
-import plotting
+from thelma import plotting
 from figures import curves
-from plotting import DASHED, LAST
+from thelma.plotting import DASHED, LAST
 
 LENGTH, THICKNESS = 20.0, 1.0  # mm, of prm/buckling_pump.prm
 MEANING = [plotting.line("converged: Q2/P1, a quarter", marker="o", markersize=2.6),

@@ -6,7 +6,7 @@ import shutil
 import subprocess
 
 import numpy as np
-import plotting
+from thelma import plotting
 import vtk
 from vtkmodules.util.numpy_support import vtk_to_numpy
 

@@ -2,12 +2,12 @@
 
 from dataclasses import dataclass
 
-import bending_exact
+from thelma import bending_exact
 import numpy as np
-import plotting
-import study
+from thelma import plotting
+from thelma import study
 from figures import bodies, render
-from plotting import matplotlib, plt
+from thelma.plotting import matplotlib, plt
 
 WIDTH, LENGTH, LAYER, PUMP = 4.0, 20.0, 0.5, 1.0  # mm, of the scenes
 DEFLECTION = matplotlib.colormaps["viridis"]

@@ -6,7 +6,7 @@ import shlex
 from dataclasses import dataclass, field
 
 import numpy as np
-import study
+from thelma import study
 
 
 @dataclass

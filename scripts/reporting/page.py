@@ -6,9 +6,9 @@ from datetime import datetime
 from html import escape
 from pathlib import Path
 
-import plotting
-import stability
-from plotting import matplotlib
+from thelma import plotting
+from thelma import stability
+from thelma.plotting import matplotlib
 from reporting import data, ends
 
 # The browser itself refuses whatever is not in the page.

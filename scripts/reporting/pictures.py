@@ -5,8 +5,8 @@ import io
 import re
 
 import numpy as np
-import plotting
-from plotting import matplotlib
+from thelma import plotting
+from thelma.plotting import matplotlib
 
 LARGEST, PIXELS = 9, 700  # pictures a page, pixels of the longest side
 VIEW = (0.35, 1.0, 0.32), (1, 0, 0)  # x3 to the right, x1 upwards
@@ -26,6 +26,7 @@ def of_runs(runs, chosen, at):
     if not shown:
         return {}
     from figures import bodies, render  # VTK is needed from here on
+    from thelma.fields import state_file
     states = {run.label: bodies.load(run.case.directory, width(run), at) for run in shown}
     name = field(states.values(), chosen)
     scale = bodies.Body.span(states.values(), name)
@@ -33,7 +34,7 @@ def of_runs(runs, chosen, at):
     with render.display():
         for run in shown:
             result[run.label] = (encoded(picture(states[run.label], name, scale)),
-                                 caption(run, bodies.state_file(run.case.directory, at), name, scale))
+                                 caption(run, state_file(run.case.directory, at), name, scale))
     return result
 
 

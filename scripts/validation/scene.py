@@ -9,9 +9,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
-
-import launch
-import study
+from thelma import launch
+from thelma import study
 
 from validation import laws
 

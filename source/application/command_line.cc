@@ -99,7 +99,8 @@ CommandLine restarted(const std::string& folder)
 void require_consistent(const CommandLine& line)
 {
   using Action = CommandLine::Action;
-  const bool needs_file = line.action == Action::run || line.action == Action::check;
+  const bool needs_file = line.action == Action::run || line.action == Action::check ||
+                          line.action == Action::material_point;
   if (needs_file && line.file.empty())
     throw InputError("command line: no parameter file; write thelma FILE.prm or see thelma --help");
   if (line.estimates && !line.sweeps.empty())
@@ -111,8 +112,8 @@ void require_consistent(const CommandLine& line)
 }
 
 const std::vector<std::string> known_options{
-    "--set",   "--sweep", "--ranks-per-case", "--output",  "--estimate", "--restart",
-    "--check", "--list",  "--defaults",       "--version", "--help"};
+    "--set",   "--sweep",          "--ranks-per-case", "--output",   "--estimate", "--restart",
+    "--check", "--material-point", "--list",           "--defaults", "--version",  "--help"};
 
 } // namespace
 
@@ -151,8 +152,8 @@ CommandLine CommandLine::parse(const std::vector<std::string>& given)
           "of the run are read from the folder");
     else if (word == "--estimate")
       line.estimates = true;
-    else if (word == "--check")
-      line.action = Action::check;
+    else if (word == "--check" || word == "--material-point")
+      line.action = word == "--check" ? Action::check : Action::material_point;
     else if (word == "--list")
       show(Action::list);
     else if (word == "--defaults")
@@ -195,6 +196,8 @@ Simulates dielectric elastomer actuators: finite deformation, electric field, te
   --check                            report all errors in the scene without running it, and write
                                      the mesh to the output folder (mesh.vtu: regions, surfaces,
                                      bodies, shape quality of the cells)
+  --material-point                   answer requests on standard input for stresses of homogeneous
+                                     tests of the scene's materials (doc/fitting.md)
   --list [WORD]                      list laws, formulations, solvers, observables and units with
                                      their descriptions, or those that contain WORD
   --defaults [SECTION]               print every entry with its default, unit and description, or

@@ -106,10 +106,7 @@ Override Override::parse(const std::string& text)
 
 std::string Override::path() const
 {
-  std::string result;
-  for (const std::string& section : sections)
-    result += section + "/";
-  return result + entry;
+  return slashed(sections) + (sections.empty() ? "" : "/") + entry;
 }
 
 ParameterFile::ParameterFile(std::string file, const std::vector<Override>& overrides)
@@ -144,6 +141,21 @@ ParameterFile ParameterFile::from_text(const std::string& text, const std::strin
   file.shown = shown.empty() ? name : shown;
   file.statements = Statements(text);
   return file;
+}
+
+ParameterFile ParameterFile::only(const std::vector<std::string>& names) const
+{
+  const auto keep = [&](auto& list, const auto path) {
+    const auto is_other = [&](const auto& one) {
+      return (one.*path).empty() ||
+             std::find(names.begin(), names.end(), (one.*path).front()) == names.end();
+    };
+    list.erase(std::remove_if(list.begin(), list.end(), is_other), list.end());
+  };
+  ParameterFile part = *this;
+  keep(part.statements.entries, &Statement::sections);
+  keep(part.statements.sections, &OpenedSection::path);
+  return part;
 }
 
 void ParameterFile::peek(const std::function<void(dealii::ParameterHandler&)>& declare) const

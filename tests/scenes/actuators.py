@@ -8,8 +8,8 @@ import math
 
 from membrane_reference import Membrane
 from scene import largest_error, program_and_ranks, require, side_by_side, validated
-import bending_exact
-import planar_exact
+from thelma import bending_exact
+from thelma import planar_exact
 
 THETA = 293.0
 LAYER, LENGTH, OFFSET = 0.5, 20.0, 8.0  # mm, of a finger; OFFSET to the plane of symmetry

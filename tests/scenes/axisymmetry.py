@@ -15,8 +15,8 @@ from scipy.special import j1, jn_zeros
 from diaphragm_reference import Diaphragm
 from membrane_reference import Membrane
 from scene import program_and_ranks, require, sentences, settings, side_by_side, validated
-import balloon_exact
-import planar_exact
+from thelma import balloon_exact
+from thelma import planar_exact
 import slab_exact
 
 THETA = 293.0

@@ -1,4 +1,4 @@
-"""The inflated balloon against its radial boundary value problem (scripts/balloon_exact.py).
+"""The inflated balloon against its radial boundary value problem (python/thelma/balloon_exact.py).
 
     balloon.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
 """
@@ -9,7 +9,7 @@ import math
 from scipy.optimize import brentq
 
 from scene import program_and_ranks, require, settings, side_by_side, validated
-import balloon_exact
+from thelma import balloon_exact
 
 PRESSURE, TARGET = 0.004, 15.0  # MPa, kV of prm/balloon.prm
 COLUMNS = ("load", "event", "voltage_kV", "tip_u1_mm", "centre_u1_mm", "enclosed_volume_mm3",

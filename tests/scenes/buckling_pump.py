@@ -13,7 +13,7 @@ import tempfile
 from pathlib import Path
 
 from scene import program_and_ranks, require, study, validated
-import buckling
+from thelma import buckling
 
 LENGTH, THICKNESS = 20.0, 1.0  # mm
 TOLERANCE = 1e-2  # relative, of fields and deflections

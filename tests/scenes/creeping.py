@@ -10,9 +10,9 @@ from dataclasses import replace
 import numpy as np
 
 from scene import program_and_ranks, require, settings, side_by_side, validated
-import bending_exact
-import creeping_exact
-import viscoelastic_exact
+from thelma import bending_exact
+from thelma import creeping_exact
+from thelma import viscoelastic_exact
 
 SCENE = "creeping_bending_actuator"
 TEMPERATURES = (273.0, 293.0, 313.0, 333.0, 353.0)

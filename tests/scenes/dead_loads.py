@@ -10,7 +10,7 @@ from pathlib import Path
 from scipy.optimize import fsolve
 
 from scene import largest_error, program_and_ranks, require, settings, validated
-import planar_exact
+from thelma import planar_exact
 
 AREA = 5.0  # mm^2 of the film's loaded face
 

@@ -14,7 +14,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 from scene import program_and_ranks, require, settings, side_by_side, validated
-import planar_exact
+from thelma import planar_exact
 
 MATERIAL = planar_exact.Material(K=0.6)
 MU, EPS = MATERIAL.mu(293), MATERIAL.eps(293)

@@ -17,7 +17,7 @@ from scipy.interpolate import PchipInterpolator
 from scipy.optimize import minimize_scalar, root
 
 from scene import program_and_ranks, require, sentences, settings, side_by_side, validated
-import planar_exact
+from thelma import planar_exact
 
 VACUUM = 8.8541878e-6  # N/kV^2
 K, THETA_0, AREA = 56.552, 293.0, 25.0  # MPa, K, mm^2

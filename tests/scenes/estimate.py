@@ -15,8 +15,8 @@ import os
 from bending_reference import exact_mid_rotation
 from scene import program_and_ranks, require, settings, side_by_side
 from slab_exact import CAPACITY, CONDUCTIVITY, mid_temperature
-import balloon_exact
-import planar_exact
+from thelma import balloon_exact
+from thelma import planar_exact
 
 MOST = 5.0  # estimates over one error
 ROUNDING = 1e-8  # relative; below, errors are those of Newton's method

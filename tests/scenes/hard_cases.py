@@ -8,11 +8,11 @@ import math
 import time
 
 from scene import program_and_ranks, require, side_by_side, validated
-import bending_exact
+from thelma import bending_exact
 import constant_charge
 import gent_exact
 import heated_strip
-import planar_exact
+from thelma import planar_exact
 
 LIMIT_TOLERANCE = 1e-6  # in e
 STATE_TOLERANCE = 1e-6  # in e at the lambda_3 of a state

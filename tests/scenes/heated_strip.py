@@ -16,7 +16,7 @@ import numpy as np
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
-import planar_exact
+from thelma import planar_exact
 
 
 def moduli(material, theta):

@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 
 from scene import program_and_ranks, require, settings, side_by_side, validated
 import constant_charge
-import planar_exact
+from thelma import planar_exact
 
 # Three layers with electrodes between them.
 THREE_LAYERS = """Point(1) = {0, 0, 0};

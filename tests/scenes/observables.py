@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 from scene import program_and_ranks, require, settings, validated
-import planar_exact as exact
+from thelma import planar_exact as exact
 
 TOLERANCE = 1e-8  # relative
 MATERIAL = exact.Material(alpha=1.8e-4)

@@ -85,6 +85,9 @@ def main():
         subprocess.run([folder / "bin/thelma-report", folder / "run"], check=True)
         page = (folder / "run/report.html").read_text()
         require("data:image/png;base64," in page or "Not drawn: " in page, "no pictures, and no reason")
+        done = subprocess.run([folder / "bin/thelma-fit", folder / "none.prm", __file__], capture_output=True, text=True,
+                              check=False)
+        require(done.returncode == 1 and done.stderr.startswith("fit: "), f"thelma-fit: {done.stderr}")
         check_links(share / "doc")
         check_debian_package(build, folder)
 

@@ -8,10 +8,10 @@ import json
 import math
 
 from scene import program_and_ranks, require, settings, side_by_side, study, validated
-import bending_exact
+from thelma import bending_exact
 import film_exact
 import gent_exact
-import planar_exact
+from thelma import planar_exact
 
 MATERIAL = planar_exact.Material()
 RATIO = MATERIAL.K / MATERIAL.mu(293)

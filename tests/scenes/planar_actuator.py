@@ -7,7 +7,7 @@ import tempfile
 from pathlib import Path
 
 from scene import program_and_ranks, require, study, validated
-import planar_exact as exact
+from thelma import planar_exact as exact
 
 SWEEP = study.TEMPERATURE + "=273,293,313,333,353"  # K
 # Dimensionless field of pull-in by thermal expansion (1/K) and temperature, as documented.

@@ -10,9 +10,11 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-import study  # noqa: E402
-from launch import sentences, on_ranks  # noqa: E402, F401
+from thelma import study
+from thelma.launch import sentences, on_ranks  # noqa: F401
+
+SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
+sys.path.append(str(SCRIPTS))  # tests of what belongs to a script alone
 
 
 @dataclass

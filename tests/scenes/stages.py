@@ -11,7 +11,7 @@ from pathlib import Path
 from scipy.optimize import fsolve, minimize_scalar
 
 from scene import program_and_ranks, require, settings, validated
-import planar_exact
+from thelma import planar_exact
 
 STRESS = 0.4 / 5.0  # MPa, of the film's weight on its face
 BRACKET = 1e-4  # the default

@@ -9,7 +9,7 @@ And that runs which cannot count unstable directions do not take entries that ne
 import subprocess
 
 from scene import program_and_ranks, require, settings, side_by_side, validated
-import planar_exact
+from thelma import planar_exact
 import strip_stability
 
 LENGTH, VALUE = 10, 293  # mm, K at which e is defined

@@ -9,12 +9,12 @@ from pathlib import Path
 from unittest import mock
 
 SOURCE = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(SOURCE / "scripts"))
-import accuracy_cases as cases  # noqa: E402
-import accuracy_peer as peer  # noqa: E402
-import accuracy_report as report  # noqa: E402
-import accuracy_table as table  # noqa: E402
-from accuracy_run import AccuracyError  # noqa: E402
+from scene import SCRIPTS  # noqa: F401  (first: finds the scripts)
+import accuracy_cases as cases
+import accuracy_peer as peer
+import accuracy_report as report
+import accuracy_table as table
+from accuracy_run import AccuracyError
 
 
 def row(cells="2 x 8", unknowns=100, seconds=0.1, error=1e-2, **more):

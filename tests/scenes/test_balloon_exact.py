@@ -1,15 +1,13 @@
-"""Checks scripts/balloon_exact.py: the thin limit in closed form, a second method for the same boundary
+"""Checks python/thelma/balloon_exact.py: the thin limit in closed form, a second method for the same boundary
 value problem, and work against energy."""
 
-import sys
 from pathlib import Path
 
 import numpy as np
 from scipy.integrate import solve_bvp
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-import balloon_exact  # noqa: E402
-import planar_exact  # noqa: E402
+from thelma import balloon_exact
+from thelma import planar_exact
 
 
 def check_thin_limit():

@@ -1,7 +1,6 @@
 """The exact circle of the bending actuator against the table of an independent program."""
 
 import csv
-import sys
 import unittest
 from collections import defaultdict
 from pathlib import Path
@@ -9,11 +8,10 @@ from pathlib import Path
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts"))
-import bending_exact  # noqa: E402
-import creeping_exact  # noqa: E402
-from planar_exact import Material  # noqa: E402
-from viscoelastic_exact import Branch  # noqa: E402
+from thelma import bending_exact
+from thelma import creeping_exact
+from thelma.planar_exact import Material
+from thelma.viscoelastic_exact import Branch
 
 
 def reference():

@@ -1,17 +1,16 @@
 """scripts/experiments: the stored fit has the residuals of doc/experiments.md, and its film under voltage
-is that of scripts/viscoelastic_exact.py where they meet."""
+is that of python/thelma/viscoelastic_exact.py where they meet."""
 
-import sys
 import unittest
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(SOURCE / "scripts"))
-import experiments_data as data  # noqa: E402
-import experiments_model as model  # noqa: E402
-import experiments_program as program  # noqa: E402
-import experiments_report as report  # noqa: E402
-import viscoelastic_exact as exact  # noqa: E402
+from scene import SCRIPTS  # noqa: F401  (first: finds the scripts)
+import experiments_data as data
+import experiments_model as model
+import experiments_program as program
+import experiments_report as report
+from thelma import viscoelastic_exact as exact
 
 FITS, PROGRAM = model.read(SOURCE / "doc/experiments.json")
 FIT = FITS[0]

@@ -1,13 +1,11 @@
 """The exact planar actuator against derivatives of its energy and published values."""
 
-import sys
 import unittest
 from pathlib import Path
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-import planar_exact as exact  # noqa: E402
+from thelma import planar_exact as exact
 
 TEMPERATURES = (273.0, 293.0, 313.0, 333.0, 353.0)  # K
 ACRYLIC = 1.8e-4  # thermal expansion, 1/K

@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 from test_plot_pull_in import SCRIPTS, USED_PRM, write_csv
 
-import bending_exact
-import planar_exact
+from thelma import bending_exact
+from thelma import planar_exact
 from figures import bodies
 
 EXPANSIONS, TEMPERATURES = (0.0, 1.8e-4), (273.0, 353.0)

@@ -10,10 +10,9 @@ from pathlib import Path
 
 import numpy as np
 
-SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
-sys.path.insert(0, str(SCRIPTS))
-import planar_exact as exact  # noqa: E402
-import study  # noqa: E402
+from scene import SCRIPTS
+from thelma import planar_exact as exact
+from thelma import study
 
 TEMPERATURES = (273.0, 293.0, 313.0, 333.0, 353.0)  # K
 

@@ -1,13 +1,11 @@
 """Which parts of a curve are drawn dashed."""
 
-import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-import plotting  # noqa: E402
-import stability  # noqa: E402
-from plotting import plt  # noqa: E402
+from thelma import plotting
+from thelma import stability
+from thelma.plotting import plt
 
 
 class Stability(unittest.TestCase):

@@ -2,7 +2,6 @@
 
 import csv
 import math
-import sys
 import unittest
 from pathlib import Path
 from types import SimpleNamespace
@@ -10,13 +9,13 @@ from types import SimpleNamespace
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts"))
-import planar_exact  # noqa: E402
-from validation import draws, scene  # noqa: E402
-from validation.film import Film, Waves, first_fold, first_wave  # noqa: E402
-from validation.layered import Layered, Solver  # noqa: E402
-from validation.material import Material  # noqa: E402
-from validation.strip import Strip  # noqa: E402
+from scene import SCRIPTS  # noqa: F401  (first: finds the scripts)
+from thelma import planar_exact
+from validation import draws, scene
+from validation.film import Film, Waves, first_fold, first_wave
+from validation.layered import Layered, Solver
+from validation.material import Material
+from validation.strip import Strip
 
 
 def dimensionless(film, field):
@@ -120,7 +119,7 @@ class Curved(unittest.TestCase):
             self.assertAlmostEqual(solver.potential(y, V, 1.5), float(row["phi_at_R_1.5_kV"]), delta=1e-6)
 
     def test_balloon(self):
-        """prm/balloon.prm, by the shooting of scripts/balloon_exact.py."""
+        """prm/balloon.prm, by the shooting of python/thelma/balloon_exact.py."""
         solver = Solver(Layered("balloon", ((1.0, Material(), True),), 10.0, 0.004))
         y = solver.path(15.0)
         self.assertAlmostEqual(y[0], 12.3709548, delta=1e-7)

@@ -1,16 +1,14 @@
-"""Checks scripts/viscoelastic_exact.py: the numbers of other programs; the free energy and
+"""Checks python/thelma/viscoelastic_exact.py: the numbers of other programs; the free energy and
 the flow in tensors; a delay by quadrature instead of integration in time."""
 
 import math
-import sys
 from pathlib import Path
 
 import numpy as np
 from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-import viscoelastic_exact as exact  # noqa: E402
+from thelma import viscoelastic_exact as exact
 
 BRANCHES = (exact.Branch(0.8, 0.5), exact.Branch(0.4, exact.wlf(3.0, 8, 90, 300)))
 FILM = exact.Film(exact.Gent(1.0, 30.0), BRANCHES, K=40.0, eps=0.7, theta=320.0, theta_0=300.0,

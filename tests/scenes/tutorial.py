@@ -4,6 +4,7 @@ Usage: tutorial.py THELMA_BINARY MPIEXEC SOURCE_DIR RANKS...
 """
 
 import csv
+import os
 import re
 import subprocess
 import tempfile
@@ -17,7 +18,7 @@ BLOCK = re.compile(r"^```(\w+)(?: (\S+))?\n(.*?)^```$", re.MULTILINE | re.DOTALL
 def run(command, folder, expected):
     """Runs a command; `expected` are lines that it says when it fails, as the tutorial wants."""
     done = subprocess.run(command, shell=True, cwd=folder, capture_output=True, text=True,
-                          check=False)
+                          check=False, env={**os.environ, "THELMA": str(folder / "build/bin/thelma")})
     text = done.stdout + done.stderr
     print(f"$ {command}\n{text}")
     require(done.returncode == (1 if expected else 0), f"exit code {done.returncode}: {command}")
@@ -37,6 +38,17 @@ def require_bent_further_when_warm(tip):
     """The strain at a voltage goes with 1/mu, and the backing's resistance stays the same."""
     bent = [abs(tip[theta]) for theta in sorted(tip)]
     require(all(a < b for a, b in zip(bent, bent[1:])), f"not bent further when warmer: {tip}")
+
+
+def require_material(folder):
+    """The numbers of the tutorial are those of this material, with errors of 1 % drawn at random."""
+    true = {"Shear modulus": 60.0, "Gent limit": 40.0, "Branch 1/Modulus": 25.0, "Branch 1/Relaxation time": 30.0}
+    with open(folder / "parameters.csv", newline="") as file:
+        for row in csv.DictReader(file):
+            width = float(row["high"]) / float(row["value"])
+            error = abs(float(row["value"]) / true.pop(row["parameter"]) - 1)
+            require(error < 2 * (width - 1), f"{row} is off by {error}")
+    require(not true, f"not fitted: {true}")
 
 
 def main():
@@ -62,6 +74,7 @@ def main():
         tip = tips(folder / "mine/study")
         print(tip)
         require_bent_further_when_warm(tip)
+        require_material(folder / "mine/fit")
 
 
 main()

@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from scene import program_and_ranks, require, settings, side_by_side, validated
-import viscoelastic_exact as exact
+from thelma import viscoelastic_exact as exact
 
 K = exact.STIFF  # kPa
 PEAK = 2.5

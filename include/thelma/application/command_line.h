@@ -16,7 +16,7 @@ struct Sweep {
 
 /// What the user asked for.
 struct CommandLine {
-  enum class Action { run, check, list, defaults, version, help };
+  enum class Action { run, check, material_point, list, defaults, version, help };
 
   /// `@FILE` stands for the arguments in that file, `--restart DIR` for those with which the run in
   /// DIR was started, in the folder where it was. Throws InputError for what it does not

@@ -39,6 +39,9 @@ public:
   static ParameterFile from_text(const std::string& text, const std::string& name = "parameters",
                                  const std::string& shown = "");
 
+  /// The same with the sections @p names alone.
+  ParameterFile only(const std::vector<std::string>& names) const;
+
   /// Read only what @p declare declares, ignore everything else.
   void peek(const std::function<void(dealii::ParameterHandler&)>& declare) const;
 

@@ -11,9 +11,9 @@ differential equation of a at the points of the quadrature.
 """
 
 import numpy as np
-from bending_exact import LARGEST_STEP, Bilayer
+from thelma.bending_exact import LARGEST_STEP, Bilayer
 from scipy.integrate import solve_ivp
-from viscoelastic_exact import BRANCHES_VHB, Branch, Film, arrhenius
+from thelma.viscoelastic_exact import BRANCHES_VHB, Branch, Film, arrhenius
 
 TOLERANCE = {"rtol": 1e-6, "atol": 1e-8}  # of a; then rotations are within 1e-7
 # MPa and s, of prm/creeping_bending_actuator.prm.

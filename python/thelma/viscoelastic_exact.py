@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Exact histories of a homogeneous viscoelastic film: stretched along one axis, or under a voltage.
 
-  scripts/viscoelastic_exact.py    compares with known numbers; exit code 1 if one is missed
+  python/thelma/viscoelastic_exact.py    compares with known numbers; exit code 1 if one is missed
 
 Axisymmetric states F = diag(l_x, l_z, l_z): l_x is the stretch along the pulled axis, or across the
 thickness of the film; the faces around the axis are free. With x = ln l_x, z = ln l_z and a branch's

@@ -3,13 +3,14 @@
 import io
 from pathlib import Path
 
-import interpreter
+from thelma import interpreter
 
 interpreter.require("matplotlib", "numpy")
 
 import matplotlib  # noqa: E402
 import numpy as np  # noqa: E402
-import stability  # noqa: E402
+from thelma import stability  # noqa: E402
+from thelma.errors import ThelmaError  # noqa: E402
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
@@ -36,7 +37,7 @@ COMPUTED = {"marker": "o", "markersize": 3.8, "markerfacecolor": "white", "marke
 LAST = {"marker": "x", "markersize": 6, "markeredgewidth": 1.6}
 
 
-class PlotError(Exception):
+class PlotError(ThelmaError):
     """One sentence for the user."""
 
 

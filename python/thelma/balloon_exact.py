@@ -24,7 +24,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq, fsolve, minimize_scalar
 
-import planar_exact
+from thelma import planar_exact
 
 
 @dataclass(frozen=True)

@@ -15,13 +15,14 @@ from pathlib import Path
 
 import numpy as np
 
-import planar_exact
-import stability
+from thelma import planar_exact
+from thelma import stability
+from thelma.errors import ThelmaError
 
 TEMPERATURE = "Temperature/Value"
 
 
-class StudyError(Exception):
+class StudyError(ThelmaError):
     """One sentence for the user."""
 
 
@@ -38,6 +39,19 @@ class Case:
         """Columns of curve.csv by name: arrays of numbers, texts for `event`."""
         return read_columns(self.directory / "curve.csv", required)
 
+    def frame(self):
+        """curve.csv as a pandas.DataFrame."""
+        return data_frame(self.curve())
+
+    def report(self):
+        """run.json: outcome, counts, timings, final values."""
+        return json.loads(existing(self.directory / "run.json").read_text())
+
+    def fields(self, at=None):
+        """The fields (fields.Fields) at the end, or at the state that is nearest to a load or a second."""
+        from thelma.fields import read_fields  # pylint: disable=import-outside-toplevel  # needs VTK
+        return read_fields(self.directory, at)
+
     @staticmethod
     def unstable_pieces(table):
         """Which pieces between the rows of a curve are unstable; none if it does not say."""
@@ -47,7 +61,7 @@ class Case:
 
     def pull_in(self):
         """(e_below, e_above) of the pull-in bracket, or None."""
-        bracket = json.loads(existing(self.directory / "run.json").read_text()).get("pull_in")
+        bracket = self.report().get("pull_in")
         return (bracket["e_below"], bracket["e_above"]) if bracket else None
 
     def material(self):
@@ -98,6 +112,17 @@ def read_study(directory):
         cases.append(Case(Path(directory) / row["directory"], swept, int(row["exit_code"]),
                           outcome))
     return cases
+
+
+def study_frame(directory):
+    """study.csv as a pandas.DataFrame: a row per case."""
+    return data_frame(read_columns(Path(directory) / "study.csv", ("directory", "exit_code", "outcome")))
+
+
+def data_frame(columns):
+    """Of columns by name."""
+    import pandas  # pylint: disable=import-outside-toplevel  # optional
+    return pandas.DataFrame(columns)
 
 
 def prm_entry(text, name):

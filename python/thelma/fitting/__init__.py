@@ -1,0 +1,1 @@
+"""A material from test data: what `thelma-fit` does."""
