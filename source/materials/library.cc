@@ -26,6 +26,15 @@ std::string pattern(const std::vector<Choice>& laws)
   return names;
 }
 
+template <typename Map>
+std::vector<std::string> keys(const Map& map)
+{
+  std::vector<std::string> result;
+  for (const auto& entry : map)
+    result.push_back(entry.first);
+  return result;
+}
+
 /// @p where: the circumstances, for the sentence.
 void require_positive(const std::string& material, const std::string& entry, const double value,
                       const std::string& where)
@@ -284,18 +293,12 @@ const Material& MaterialLibrary::named(const std::string& name, const std::strin
 
 std::vector<std::string> MaterialLibrary::names() const
 {
-  std::vector<std::string> known;
-  for (const auto& entry : materials)
-    known.push_back(entry.first);
-  return known;
+  return keys(materials);
 }
 
 std::vector<std::string> MaterialLibrary::regions() const
 {
-  std::vector<std::string> names;
-  for (const auto& entry : material_of_region)
-    names.push_back(entry.first);
-  return names;
+  return keys(material_of_region);
 }
 
 } // namespace thelma
