@@ -59,7 +59,7 @@ void DofLayout<dim>::setup(const Mesh<dim>& mesh, const MaterialLibrary& materia
   this->choose_fields(!std::all_of(regions.begin(), regions.end(), is_passive));
 
   build_elements();
-  cell_mapping = std::make_unique<dealii::MappingQ<dim>>(mesh.is_curved() ? polynomial_degree : 1);
+  cell_mapping = mesh.mapping(polynomial_degree);
   dofs.reinit(mesh.triangulation());
   for (const auto& cell : dofs.active_cell_iterators())
     if (cell->is_locally_owned())

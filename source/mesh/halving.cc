@@ -85,7 +85,7 @@ std::vector<unsigned int> piece(const std::vector<unsigned int>& element, const 
 CoarseMesh halved(const CoarseMesh& mesh, const std::string& around)
 {
   Vertices vertices(mesh, around);
-  CoarseMesh fine{{}, mesh.groups};
+  CoarseMesh fine{{}, mesh.groups, {}};
   for (PhysicalGroup& group : fine.groups) {
     std::vector<std::vector<unsigned int>> pieces;
     for (const auto& element : group.elements)
