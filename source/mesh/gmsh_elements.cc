@@ -56,14 +56,14 @@ void make_elements(const GmshRequest& request, const int dim)
                      "': the elements of '" + request.file + "' are of order " +
                      std::to_string(given) +
                      ", which only its geometry can cut; cut them in gmsh, or give the .geo");
+  if (given > 0 && request.is_subdivided)
+    return;
   if (request.is_subdivided) {
     gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", dim - 1);
     gmsh::option::setNumber("Mesh.RecombineAll", dim == 2);
   }
   if (given == 0)
     gmsh::model::mesh::generate(dim);
-  else if (request.is_subdivided)
-    gmsh::model::mesh::refine();
   const int order = element_order();
   require_memory(request.refinements, dim);
   for (unsigned int i = 0; i < cuts; ++i)

@@ -145,15 +145,20 @@ void drop_unused_vertices(CoarseMesh& mesh, const int dim)
   mesh.middles = middles;
 }
 
+bool has_elements()
+{
+  std::vector<int> types;
+  gmsh::model::mesh::getElementTypes(types);
+  return !types.empty();
+}
+
 void require_dimension(const std::string& file, const int dim)
 {
   const bool is_solid = gmsh::model::getDimension() == 3;
   if (dim == 2 && is_solid)
     throw InputError("section Mesh, entry 'File': '" + file +
                      "' has volumes, but the scene is two-dimensional; write `set Dimension = 3`");
-  std::vector<int> types;
-  gmsh::model::mesh::getElementTypes(types);
-  if (types.empty())
+  if (!has_elements())
     throw InputError("section Mesh, entry 'File': '" + file +
                      "' has no cells; mesh it, or save the mesh again");
   gmsh::vectorpair groups;
@@ -218,13 +223,14 @@ CoarseMesh read_here(const GmshRequest& request, const int dim)
     set_parameters(request.file, request.parameters);
     open(request.file, "Parameters"); // what is wrong now was not without them
   }
+  const bool is_mesh = has_elements();
   generate(request, dim);
   require_dimension(request.file, dim);
 
   CoarseMesh mesh;
   std::map<std::size_t, unsigned int> index;
   mesh.vertices = read_nodes(request, index);
-  read_physical_groups(request.file, dim, index, mesh);
+  read_physical_groups(request, dim, index, mesh);
   drop_unused_vertices(mesh, dim);
   if (dim == 2)
     require_plane(request.file, mesh);
@@ -232,6 +238,9 @@ CoarseMesh read_here(const GmshRequest& request, const int dim)
     throw InputError("section Mesh, entry 'Curved': the cells of '" + request.file +
                      "' are quadratic and so curved already; write `as meshed`, or mesh it with "
                      "Mesh.ElementOrder = 1");
+  if (is_mesh && request.is_subdivided)
+    for (unsigned int i = 0; i < 1 + (request.around.empty() ? request.refinements : 0); ++i)
+      mesh = subdivided(mesh);
   for (unsigned int i = 0; i < request.refinements && !request.around.empty(); ++i)
     mesh = halved(mesh, request.around);
   return mesh;

@@ -138,10 +138,12 @@ void require_regions_of_all_cells(const std::string& file, const int dim)
 }
 
 /// How to mesh @p group without elements of this order.
-std::string remedy(const PhysicalGroup& group, const int order)
+std::string remedy(const PhysicalGroup& group, const int order, const bool is_subdivided)
 {
-  if (order > 2)
-    return "mesh it with order 1 or 2 (Mesh.ElementOrder = 1; gmsh -order 1)";
+  if (order > (is_subdivided ? 1 : 2))
+    return "mesh it with order 1 (Mesh.ElementOrder = 1; gmsh -order 1)";
+  if (is_subdivided)
+    return "pyramids cannot be subdivided, mesh it with tetrahedra alone";
   return std::string("write `set Cells = subdivided`, or mesh it with ") +
          (group.dimension == 3 ? "transfinite or extruded volumes and Recombine"
                                : "Recombine Surface or Mesh.RecombineAll = 1");
@@ -149,17 +151,22 @@ std::string remedy(const PhysicalGroup& group, const int order)
 
 /// The nodes of one type of element.
 struct ElementType {
-  explicit ElementType(const int type)
+  ElementType(const int type, const bool is_subdivided)
   {
     std::string name;
     int dimension = 0, n_primary = 0;
     std::vector<double> at;
     gmsh::model::mesh::getElementProperties(type, name, dimension, order, n_nodes, at, n_primary);
     static const std::set<std::string> boxes{"Point", "Line", "Quadrilateral", "Hexahedron"};
-    is_known = order <= 2 && boxes.count(name.substr(0, name.find(' '))) == 1;
+    static const std::set<std::string> others{"Triangle", "Tetrahedron", "Prism"};
+    const std::string shape = name.substr(0, name.find(' '));
+    is_known = (order <= 2 && boxes.count(shape) == 1) ||
+               (order == 1 && is_subdivided && others.count(shape) == 1);
     for (int node = 0; node < n_nodes; ++node) {
       corners.emplace_back();
-      for (int corner = 0; corner < n_primary; ++corner) {
+      if (node < n_primary)
+        corners.back().push_back(node);
+      for (int corner = 0; node >= n_primary && corner < n_primary; ++corner) {
         bool is_end = true;
         for (int d = 0; d < dimension; ++d)
           is_end = is_end && (at[node * dimension + d] == 0. ||
@@ -207,7 +214,7 @@ void add_elements(PhysicalGroup& group, const ElementType& type,
   }
 }
 
-void read_elements(PhysicalGroup& group, const int tag,
+void read_elements(PhysicalGroup& group, const int tag, const bool is_subdivided,
                    const std::map<std::size_t, unsigned int>& index, CoarseMesh& mesh)
 {
   std::vector<int> entities;
@@ -217,14 +224,14 @@ void read_elements(PhysicalGroup& group, const int tag,
     std::vector<std::vector<std::size_t>> elements, nodes;
     gmsh::model::mesh::getElements(types, elements, nodes, group.dimension, entity);
     for (std::size_t t = 0; t < types.size(); ++t) {
-      const ElementType type(types[t]);
+      const ElementType type(types[t], is_subdivided);
       if (!type.is_known)
         throw InputError(place + "'" + group.name + "' has " + std::to_string(elements[t].size()) +
                          " elements that are not linear or quadratic " +
                          (group.dimension == 3   ? "hexahedra"
                           : group.dimension == 2 ? "quadrilaterals"
                                                  : "lines") +
-                         "; " + remedy(group, type.order));
+                         "; " + remedy(group, type.order, is_subdivided));
       std::vector<unsigned int> numbers;
       for (const std::size_t node : nodes[t])
         numbers.push_back(number_of(node, group, index));
@@ -243,9 +250,10 @@ void require_cells(const std::string& file, const PhysicalGroup& region)
 
 } // namespace
 
-void read_physical_groups(const std::string& file, const int dim,
+void read_physical_groups(const GmshRequest& request, const int dim,
                           const std::map<std::size_t, unsigned int>& index, CoarseMesh& mesh)
 {
+  const std::string& file = request.file;
   require_one_group_a_name(file);
   require_names(file, dim);
   gmsh::vectorpair groups;
@@ -257,7 +265,7 @@ void read_physical_groups(const std::string& file, const int dim,
       if (group.name.empty())
         continue;
       group.name = writable(group.name);
-      read_elements(group, tag, index, mesh);
+      read_elements(group, tag, request.is_subdivided, index, mesh);
       if (dimension == dim)
         require_cells(file, group);
       mesh.groups.push_back(group);

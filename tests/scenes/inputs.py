@@ -32,7 +32,6 @@ SOUND = {"ascii_2_2.msh": {}, "binary_2_2.msh": {}, "ascii_4_0.msh": {}, "ascii_
          "sparse_tags.msh": {}, "clockwise.msh": {}, "crlf.msh": {}, "metres.geo": {},
          "with blanks/film of rubber.msh": {}, "unicode.msh": UNICODE, "second_order.msh": {},
          "in micrometres": {"Mesh/File": "micrometres.msh", "Mesh/Unit": "um"},
-         "triangles, subdivided": {"Mesh/File": "triangles.msh", "Mesh/Cells": "subdivided"},
          "punctuated.msh": QUOTED}
 SOUND_SCENES = ["crlf.prm", "byte_order_mark.prm"]
 
