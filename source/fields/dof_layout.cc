@@ -60,7 +60,7 @@ void DofLayout<dim>::setup(const Mesh<dim>& mesh, const MaterialLibrary& materia
 
   static_cast<CrossSection<dim>&>(*this) = mesh.cross_section();
   build_elements();
-  cell_mapping = std::make_unique<dealii::MappingQ<dim>>(mesh.is_curved() ? polynomial_degree : 1);
+  cell_mapping = mesh.mapping(polynomial_degree);
   dofs.reinit(mesh.triangulation());
   for (const auto& cell : dofs.active_cell_iterators())
     if (cell->is_locally_owned())

@@ -43,11 +43,11 @@ void require_arcs(const WholeMesh<dim>& mesh, const std::string& around)
       if (std::min(r, R) <= rounding * std::max(r, R))
         throw InputError(place + "the node at " + at(r < R ? from : to) +
                          " is at the centre of the arcs " + around +
-                         "; leave a hole there, or write `nowhere`");
+                         "; leave a hole there, or write `as meshed`");
       if (std::abs(R - r) > rounding * R && (a / r - b / R).norm() > rounding)
         throw InputError(place + "the edge from " + at(from) + " to " + at(to) + " is not an arc " +
                          around + ", because its ends have the radii " + as_text(r) + " and " +
-                         as_text(R) + "; align the cells with arcs, or write `nowhere`");
+                         as_text(R) + "; align the cells with arcs, or write `as meshed`");
     }
 }
 

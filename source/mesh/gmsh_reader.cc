@@ -1,6 +1,7 @@
 #include <thelma/base/child_process.h>
 #include <thelma/base/input_errors.h>
 #include <thelma/base/memory.h>
+#include <thelma/mesh/gmsh_elements.h>
 #include <thelma/mesh/gmsh_parameters.h>
 #include <thelma/mesh/gmsh_reader.h>
 #include <thelma/mesh/halving.h>
@@ -9,6 +10,7 @@
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
 #include <boost/serialization/array.hpp>
+#include <boost/serialization/map.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 #include <gmsh.h>
@@ -82,21 +84,6 @@ void open(const std::string& file, const std::string& entry)
                      (entry == "File" ? damage(file) : ""));
 }
 
-/// Refining makes cells faster than anyone thinks.
-void require_memory(const unsigned int refinements, const int dim)
-{
-  // To read 2.1 million hexahedra took 2.8 GB; the rest of the run takes at least as much.
-  constexpr double bytes_per_cell = 2. * 1350.;
-  double n_coarse = 0.;
-  gmsh::option::getNumber(dim == 3 ? "Mesh.NbHexahedra" : "Mesh.NbQuadrangles", n_coarse);
-  const double n_cells = n_coarse * std::pow(2., dim * static_cast<double>(refinements));
-  if (n_cells * bytes_per_cell > machine_memory())
-    throw InputError("section Mesh, entry 'Refinements': halving " + as_text(n_coarse) + " cells " +
-                     std::to_string(refinements) + " times gives " + as_text(n_cells) +
-                     ", too many for the memory of this machine (" +
-                     as_text(std::round(machine_memory() / 1e9)) + " GB); refine less");
-}
-
 /// What gmsh multiplies coordinates by where it saves a mesh (Mesh.ScalingFactor).
 double scaling_factor(const std::string& file)
 {
@@ -108,18 +95,11 @@ double scaling_factor(const std::string& file)
   return factor;
 }
 
-void generate(const std::string& file, const unsigned int refinements, const int dim,
-              const bool has_arcs)
+void generate(const GmshRequest& request, const int dim)
 {
-  std::vector<int> types;
-  gmsh::model::mesh::getElementTypes(types);
   std::string problem;
   try {
-    if (types.empty()) // a .msh brings its elements along
-      gmsh::model::mesh::generate(dim);
-    require_memory(refinements, dim);
-    for (unsigned int i = 0; i < refinements && !has_arcs; ++i)
-      gmsh::model::mesh::refine();
+    make_elements(request, dim);
     problem = Gmsh::errors();
   } catch (const InputError&) {
     throw;
@@ -127,7 +107,8 @@ void generate(const std::string& file, const unsigned int refinements, const int
     problem = error.what();
   }
   if (!problem.empty())
-    throw InputError("section Mesh, entry 'File': gmsh cannot mesh '" + file + "': " + problem);
+    throw InputError("section Mesh, entry 'File': gmsh cannot mesh '" + request.file +
+                     "': " + problem);
 }
 
 /// Keep only vertices that belong to cells and number them consecutively.
@@ -140,6 +121,7 @@ void drop_unused_vertices(CoarseMesh& mesh, const int dim)
         for (const unsigned int v : element)
           used[v] = 0;
   std::vector<std::array<double, 3>> kept;
+  Middles<std::array<double, 3>> middles;
   for (std::size_t v = 0; v < used.size(); ++v)
     if (used[v] == 0) {
       used[v] = static_cast<int>(kept.size());
@@ -153,7 +135,21 @@ void drop_unused_vertices(CoarseMesh& mesh, const int dim)
                            "' has a vertex that belongs to no cell of a named region");
         v = used[v];
       }
+  for (const auto& [corners, point] : mesh.middles) {
+    std::vector<unsigned int> numbers;
+    for (const unsigned int v : corners)
+      numbers.push_back(used[v]); // as ordered as before
+    middles.emplace(numbers, point);
+  }
   mesh.vertices = kept;
+  mesh.middles = middles;
+}
+
+bool has_elements()
+{
+  std::vector<int> types;
+  gmsh::model::mesh::getElementTypes(types);
+  return !types.empty();
 }
 
 void require_dimension(const std::string& file, const int dim)
@@ -162,9 +158,7 @@ void require_dimension(const std::string& file, const int dim)
   if (dim == 2 && is_solid)
     throw InputError("section Mesh, entry 'File': '" + file +
                      "' has volumes, but the scene is two-dimensional; write `set Dimension = 3`");
-  std::vector<int> types;
-  gmsh::model::mesh::getElementTypes(types);
-  if (types.empty())
+  if (!has_elements())
     throw InputError("section Mesh, entry 'File': '" + file +
                      "' has no cells; mesh it, or save the mesh again");
   gmsh::vectorpair groups;
@@ -186,71 +180,89 @@ void require_dimension(const std::string& file, const int dim)
 void require_plane(const std::string& file, const CoarseMesh& mesh)
 {
   double size = 0., depth = 0.;
-  for (const auto& X : mesh.vertices) {
+  const auto include = [&](const std::array<double, 3>& X) {
     size = std::max(
         {size, std::abs(X[0] - mesh.vertices[0][0]), std::abs(X[2] - mesh.vertices[0][2])});
     depth = std::max(depth, std::abs(X[1] - mesh.vertices[0][1]));
-  }
+  };
+  std::for_each(mesh.vertices.begin(), mesh.vertices.end(), include);
+  for (const auto& middle : mesh.middles)
+    include(middle.second);
   if (depth > 1e-9 * size)
     throw InputError("section Mesh, entry 'File': '" + file +
                      "' leaves the plane of x1 and x3, to which Dimension = 2 is restricted; set "
                      "the second coordinate to 0");
 }
 
-CoarseMesh read_here(const std::string& file, const std::map<std::string, double>& parameters,
-                     const unsigned int refinements, const int dim, const std::string& around)
+/// All nodes, of which @p index gives the numbers.
+std::vector<std::array<double, 3>> read_nodes(const GmshRequest& request,
+                                              std::map<std::size_t, unsigned int>& index)
 {
-  const Gmsh gmsh_session;
-  open(file, "File");
-  if (!parameters.empty()) {
-    set_parameters(file, parameters);
-    open(file, "Parameters"); // what is wrong now was not without them
-  }
-  generate(file, refinements, dim, !around.empty());
-  require_dimension(file, dim);
-
-  const double scale = scaling_factor(file);
-  CoarseMesh mesh;
+  const double scale = scaling_factor(request.file) * request.unit;
+  std::vector<std::array<double, 3>> nodes;
   std::vector<std::size_t> tags;
   std::vector<double> coordinates, parametric;
   gmsh::model::mesh::getNodes(tags, coordinates, parametric);
-  std::map<std::size_t, unsigned int> index;
   for (std::size_t i = 0; i < tags.size(); ++i) {
     index[tags[i]] = i;
     for (std::size_t d = 3 * i; d < 3 * i + 3; ++d)
       if (!std::isfinite(coordinates[d] *= scale))
         throw InputError("section Mesh, entry 'File': node " + std::to_string(tags[i]) + " of '" +
-                         file + "' has the coordinate x" + std::to_string(d % 3 + 1) + " = " +
-                         as_text(coordinates[d]) + "; write a finite number");
-    mesh.vertices.push_back({{coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]}});
+                         request.file + "' has the coordinate x" + std::to_string(d % 3 + 1) +
+                         " = " + as_text(coordinates[d]) + "; write a finite number");
+    nodes.push_back({{coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]}});
   }
-  mesh.groups = read_physical_groups(file, dim, index);
+  return nodes;
+}
+
+CoarseMesh read_here(const GmshRequest& request, const int dim)
+{
+  const Gmsh gmsh_session;
+  open(request.file, "File");
+  if (!request.parameters.empty()) {
+    set_parameters(request.file, request.parameters);
+    open(request.file, "Parameters"); // what is wrong now was not without them
+  }
+  const bool is_mesh = has_elements();
+  generate(request, dim);
+  require_dimension(request.file, dim);
+
+  CoarseMesh mesh;
+  std::map<std::size_t, unsigned int> index;
+  mesh.vertices = read_nodes(request, index);
+  read_physical_groups(request, dim, index, mesh);
   drop_unused_vertices(mesh, dim);
   if (dim == 2)
-    require_plane(file, mesh);
-  for (unsigned int i = 0; i < refinements && !around.empty(); ++i)
-    mesh = halved(mesh, around);
+    require_plane(request.file, mesh);
+  if (!request.around.empty() && !mesh.middles.empty())
+    throw InputError("section Mesh, entry 'Curved': the cells of '" + request.file +
+                     "' are quadratic and so curved already; write `as meshed`, or mesh it with "
+                     "Mesh.ElementOrder = 1");
+  if (is_mesh && request.is_subdivided)
+    for (unsigned int i = 0; i < 1 + (request.around.empty() ? request.refinements : 0); ++i)
+      mesh = subdivided(mesh);
+  for (unsigned int i = 0; i < request.refinements && !request.around.empty(); ++i)
+    mesh = halved(mesh, request.around);
   return mesh;
 }
 
 } // namespace
 
-CoarseMesh read_gmsh(const std::string& file, const std::map<std::string, double>& parameters,
-                     const unsigned int refinements, const int dim, const std::string& around)
+CoarseMesh read_gmsh(const GmshRequest& request, const int dim)
 {
   std::error_code unreachable;
-  if (!std::filesystem::is_regular_file(file, unreachable))
-    throw InputError("section Mesh, entry 'File': there is no file '" + file +
+  if (!std::filesystem::is_regular_file(request.file, unreachable))
+    throw InputError("section Mesh, entry 'File': there is no file '" + request.file +
                      "'; give a path relative to the working directory or the parameter file");
   const auto pack = [&]() {
-    const CoarseMesh mesh = read_here(file, parameters, refinements, dim, around);
+    const CoarseMesh mesh = read_here(request, dim);
     std::ostringstream stream;
     boost::archive::binary_oarchive(stream) << mesh;
     return stream.str();
   };
   std::istringstream packed(
       in_child_process(pack, machine_memory() / 2.,
-                       "section Mesh, entry 'File': gmsh fails on '" + file +
+                       "section Mesh, entry 'File': gmsh fails on '" + request.file +
                            "'; correct the geometry or its parameters, or use fewer cells"));
   CoarseMesh mesh;
   boost::archive::binary_iarchive(packed) >> mesh;

@@ -1,30 +1,22 @@
 #include <thelma/base/error.h>
 #include <thelma/base/quantity.h>
+#include <thelma/base/units.h>
 #include <thelma/mesh/mesh.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/fe/mapping_q_cache.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <unordered_map>
 
 namespace thelma
 {
-
-template <int dim>
-std::uint8_t face_vertices(const unsigned int f)
-{
-  using Geometry = dealii::GeometryInfo<dim>;
-  std::uint8_t mask = 0;
-  for (unsigned int v = 0; v < Geometry::vertices_per_face; ++v)
-    mask |= 1u << Geometry::face_to_cell_vertices(f, v);
-  return mask;
-}
-
-template std::uint8_t face_vertices<2>(unsigned int);
-template std::uint8_t face_vertices<3>(unsigned int);
 
 template <int dim>
 Mesh<dim>::Mesh(const MPI_Comm comm) : tria(comm)
@@ -39,9 +31,21 @@ void Mesh<dim>::declare(dealii::ParameterHandler& prm)
   const Section in_mesh(prm, {"Mesh"});
   prm.add_parameter(
       "File", file,
-      "A gmsh geometry (.geo) or mesh (.msh) in mm, with named physical groups; the path is "
-      "relative to the working directory or else to the parameter file.",
+      "A gmsh geometry (.geo) or mesh (.msh) with named physical groups; the path is relative to "
+      "the working directory or else to the parameter file. A .geo merges other geometries, such "
+      "as `Merge \"part.step\";`, and names their parts. Cells of order 2 are curved where "
+      "elements are of degree 2.",
       Anything());
+  prm.add_parameter(
+      "Unit", unit,
+      "Of the lengths in a .msh, such as m or um. A .geo in another unit than mm says "
+      "so itself, `Mesh.ScalingFactor = 1000;` for m.",
+      Anything());
+  prm.add_parameter("Cells", cells,
+                    "Those of the geometry, quadrilaterals or hexahedra, `as meshed`; or, of any "
+                    "shape that gmsh meshes, `subdivided`: triangles are cut into quadrilaterals, "
+                    "tetrahedra into four hexahedra, half as large as the geometry says.",
+                    Selection("as meshed|subdivided"));
   add_quantity(prm, "Parameters", parameters,
                "Values of the geometry's parameters, such as `L1: 5, n1: 2`, dimensionless ones "
                "included.",
@@ -50,10 +54,11 @@ void Mesh<dim>::declare(dealii::ParameterHandler& prm)
                     "Number of times that every cell is halved in each direction after meshing.",
                     Integer(0, 20));
   prm.add_parameter("Curved", curved,
-                    "Whether edges between vertices are arcs: `nowhere`, or all of them `around "
-                    "x2`, the axis of a tube (in 3-D also x1 or x3), or `around the origin`, the "
-                    "centre of a sphere. Radial edges are straight.",
-                    Selection("nowhere|around x1|around x2|around x3|around the origin"));
+                    "Whether edges between vertices are arcs: `as meshed`, which is straight in "
+                    "cells of order 1, or all of them `around x2`, the axis of a tube (in 3-D also "
+                    "x1 or x3), or `around the origin`, the centre of a sphere. Radial edges are "
+                    "straight.",
+                    Selection("as meshed|around x1|around x2|around x3|around the origin"));
   add_quantity(prm, "Imperfection", imperfection,
                "Amplitude of the initial displacement of the vertices, a geometric imperfection "
                "that makes the body leave an unstable straight path.",
@@ -78,11 +83,13 @@ void Mesh<dim>::read(const std::string& folder, const Look& look)
                      std::string("`around x2`, not `") + curved + "`");
   WholeMesh<dim> whole;
   on_rank_0(communicator(), [&]() {
-    const std::string around = is_curved() ? curved.substr(std::string("around ").size()) : "";
-    whole = WholeMesh<dim>(read_gmsh(path(folder), parameters, refinements, dim, around));
+    const std::string around = has_arcs() ? curved.substr(std::string("around ").size()) : "";
+    whole = WholeMesh<dim>(read_gmsh(
+        {path(folder), parameters, size_of_unit(), cells == "subdivided", refinements, around},
+        dim));
     if (look)
       look(whole);
-    if (is_curved())
+    if (has_arcs())
       require_arcs(whole, curved);
     if (imperfection != 0. || !imperfection_shape.empty())
       whole.displace(imperfection, imperfection_shape);
@@ -92,7 +99,66 @@ void Mesh<dim>::read(const std::string& folder, const Look& look)
   });
   table = dealii::Utilities::MPI::broadcast(communicator(), table);
   distribute(whole);
+  deal_nodes(whole);
   find_entities();
+}
+
+/// In mm.
+template <int dim>
+double Mesh<dim>::size_of_unit() const
+{
+  const Unit mm = *Unit::parse("mm");
+  const std::optional<Unit> found = Unit::parse(unit);
+  if (!found || found->dimension != mm.dimension)
+    throw InputError("section Mesh, entry 'Unit': '" + unit +
+                     "' is not a unit of length; write mm, m or um");
+  if (found->factor != mm.factor && std::filesystem::path(file).extension() != ".msh")
+    throw InputError("section Mesh, entry 'Unit': '" + file +
+                     "' is a geometry, which says its unit itself; write `Mesh.ScalingFactor = " +
+                     as_text(found->factor / mm.factor) + ";` there and remove this entry");
+  return found->factor / mm.factor;
+}
+
+/// Every rank asks the first for the nodes of its cells and their neighbours, if they are
+/// quadratic.
+template <int dim>
+void Mesh<dim>::deal_nodes(const WholeMesh<dim>& whole)
+{
+  using namespace dealii::Utilities::MPI;
+  if (!broadcast(communicator(), whole.is_quadratic()))
+    return;
+  std::vector<unsigned int> numbers;
+  for (const auto& cell : tria.active_cell_iterators())
+    if (!cell->is_artificial())
+      numbers.push_back(number_of(cell));
+  const auto asked = gather(communicator(), numbers);
+  std::map<unsigned int, std::vector<std::vector<dealii::Point<dim>>>> answers;
+  for (unsigned int rank = 0; rank < asked.size(); ++rank)
+    for (const unsigned int number : asked[rank])
+      answers[rank].push_back(whole.nodes_of(whole.cells[number]));
+  const auto received = some_to_some(communicator(), answers);
+  for (unsigned int i = 0; i < numbers.size(); ++i)
+    quadratic_nodes.emplace(numbers[i], received.at(0)[i]);
+}
+
+template <int dim>
+std::unique_ptr<dealii::Mapping<dim>> Mesh<dim>::mapping(const unsigned int degree) const
+{
+  if (quadratic_nodes.empty() || degree == 1)
+    return std::make_unique<dealii::MappingQ<dim>>(has_arcs() ? degree : 1);
+  auto result = std::make_unique<dealii::MappingQCache<dim>>(2);
+  const dealii::FE_Q<dim> element(2);
+  result->initialize(tria, [&](const typename dealii::Triangulation<dim>::cell_iterator& cell) {
+    const auto known = quadratic_nodes.find(number_of(cell));
+    if (known != quadratic_nodes.end())
+      return known->second;
+    std::vector<dealii::Point<dim>> straight; // another rank's, which nobody looks at
+    for (const dealii::Point<dim>& x : element.get_unit_support_points())
+      straight.push_back(
+          dealii::StaticMappingQ1<dim>::mapping.transform_unit_to_real_cell(cell, x));
+    return straight;
+  });
+  return result;
 }
 
 template <int dim>
@@ -116,7 +182,7 @@ void Mesh<dim>::distribute(const WholeMesh<dim>& whole)
   const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator());
   const auto create = [&](Triangulation<dim>& serial) {
     serial.create_triangulation(whole.vertices, whole.cells, SubCellData());
-    if (is_curved())
+    if (has_arcs())
       serial.set_all_manifold_ids(0);
   };
   const auto partition = [&](Triangulation<dim>& serial, const MPI_Comm&, unsigned int) {
@@ -126,7 +192,7 @@ void Mesh<dim>::distribute(const WholeMesh<dim>& whole)
       TriangulationDescription::Utilities::create_description_from_triangulation_in_groups<dim,
                                                                                            dim>(
           create, partition, communicator(), n_ranks);
-  if (is_curved())
+  if (has_arcs())
     set_manifold();
   tria.create_triangulation(description);
 }

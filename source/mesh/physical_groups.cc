@@ -137,32 +137,85 @@ void require_regions_of_all_cells(const std::string& file, const int dim)
                      ", or remove what is not part of the body");
 }
 
-/// Vertices per element of the linear point, line, quadrilateral and hexahedron; 0 for any other.
-unsigned int vertices_of_type(const int type)
+/// How to mesh @p group without elements of this order.
+std::string remedy(const PhysicalGroup& group, const int order, const bool is_subdivided)
 {
-  const std::map<int, unsigned int> linear{{15, 1}, {1, 2}, {3, 4}, {5, 8}};
-  const auto found = linear.find(type);
-  return found == linear.end() ? 0 : found->second;
-}
-
-/// How to mesh @p group without elements of this type.
-std::string remedy(const PhysicalGroup& group, const int type)
-{
-  std::string name;
-  int dimension = 0, order = 0, n_nodes = 0, n_primary = 0;
-  std::vector<double> points;
-  gmsh::model::mesh::getElementProperties(type, name, dimension, order, n_nodes, points, n_primary);
-  if (order > 1)
+  if (order > (is_subdivided ? 1 : 2))
     return "mesh it with order 1 (Mesh.ElementOrder = 1; gmsh -order 1)";
-  return group.dimension == 3
-             ? "mesh it with transfinite or extruded volumes and Recombine, or subdivide "
-               "tetrahedra into hexahedra with Mesh.SubdivisionAlgorithm = 2"
-             : "mesh it with Recombine Surface or Mesh.RecombineAll = 1, or subdivide triangles "
-               "into quadrilaterals with Mesh.SubdivisionAlgorithm = 1";
+  if (is_subdivided)
+    return "pyramids cannot be subdivided, mesh it with tetrahedra alone";
+  return std::string("write `set Cells = subdivided`, or mesh it with ") +
+         (group.dimension == 3 ? "transfinite or extruded volumes and Recombine"
+                               : "Recombine Surface or Mesh.RecombineAll = 1");
 }
 
-void read_elements(PhysicalGroup& group, const int tag,
-                   const std::map<std::size_t, unsigned int>& index)
+/// The nodes of one type of element.
+struct ElementType {
+  ElementType(const int type, const bool is_subdivided)
+  {
+    std::string name;
+    int dimension = 0, n_primary = 0;
+    std::vector<double> at;
+    gmsh::model::mesh::getElementProperties(type, name, dimension, order, n_nodes, at, n_primary);
+    static const std::set<std::string> boxes{"Point", "Line", "Quadrilateral", "Hexahedron"};
+    static const std::set<std::string> others{"Triangle", "Tetrahedron", "Prism"};
+    const std::string shape = name.substr(0, name.find(' '));
+    is_known = (order <= 2 && boxes.count(shape) == 1) ||
+               (order == 1 && is_subdivided && others.count(shape) == 1);
+    for (int node = 0; node < n_nodes; ++node) {
+      corners.emplace_back();
+      if (node < n_primary)
+        corners.back().push_back(node);
+      for (int corner = 0; node >= n_primary && corner < n_primary; ++corner) {
+        bool is_end = true;
+        for (int d = 0; d < dimension; ++d)
+          is_end = is_end && (at[node * dimension + d] == 0. ||
+                              at[node * dimension + d] == at[corner * dimension + d]);
+        if (is_end)
+          corners.back().push_back(corner);
+      }
+    }
+  }
+
+  bool is_known = false;
+  int order = 1, n_nodes = 1;
+  std::vector<std::vector<unsigned int>> corners; ///< that each node lies in the middle of
+};
+
+unsigned int number_of(const std::size_t node, const PhysicalGroup& group,
+                       const std::map<std::size_t, unsigned int>& index)
+{
+  const auto found = index.find(node);
+  if (found == index.end())
+    throw InputError(place + "an element of '" + group.name + "' has the node " +
+                     std::to_string(node) + ", which is missing in the file; save the mesh again");
+  return found->second;
+}
+
+/// Add the elements of @p group, and those of their @p nodes that are no vertices to @p middles.
+void add_elements(PhysicalGroup& group, const ElementType& type,
+                  const std::vector<unsigned int>& nodes,
+                  const std::vector<std::array<double, 3>>& points,
+                  Middles<std::array<double, 3>>& middles)
+{
+  for (std::size_t first = 0; first < nodes.size(); first += type.n_nodes) {
+    group.elements.emplace_back();
+    for (int i = 0; i < type.n_nodes; ++i) {
+      std::vector<unsigned int> corners;
+      for (const unsigned int corner : type.corners[i])
+        corners.push_back(nodes[first + corner]);
+      if (corners.size() == 1)
+        group.elements.back().push_back(nodes[first + i]);
+      else {
+        std::sort(corners.begin(), corners.end());
+        middles.emplace(corners, points[nodes[first + i]]);
+      }
+    }
+  }
+}
+
+void read_elements(PhysicalGroup& group, const int tag, const bool is_subdivided,
+                   const std::map<std::size_t, unsigned int>& index, CoarseMesh& mesh)
 {
   std::vector<int> entities;
   gmsh::model::getEntitiesForPhysicalGroup(group.dimension, tag, entities);
@@ -171,25 +224,18 @@ void read_elements(PhysicalGroup& group, const int tag,
     std::vector<std::vector<std::size_t>> elements, nodes;
     gmsh::model::mesh::getElements(types, elements, nodes, group.dimension, entity);
     for (std::size_t t = 0; t < types.size(); ++t) {
-      const unsigned int n = vertices_of_type(types[t]);
-      if (n == 0)
+      const ElementType type(types[t], is_subdivided);
+      if (!type.is_known)
         throw InputError(place + "'" + group.name + "' has " + std::to_string(elements[t].size()) +
-                         " elements that are not linear " +
+                         " elements that are not linear or quadratic " +
                          (group.dimension == 3   ? "hexahedra"
                           : group.dimension == 2 ? "quadrilaterals"
                                                  : "lines") +
-                         "; " + remedy(group, types[t]));
-      for (std::size_t i = 0; i < nodes[t].size(); i += n) {
-        group.elements.emplace_back();
-        for (std::size_t v = i; v < i + n; ++v) {
-          const auto found = index.find(nodes[t][v]);
-          if (found == index.end())
-            throw InputError(place + "an element of '" + group.name + "' has the node " +
-                             std::to_string(nodes[t][v]) +
-                             ", which is missing in the file; save the mesh again");
-          group.elements.back().push_back(found->second);
-        }
-      }
+                         "; " + remedy(group, type.order, is_subdivided));
+      std::vector<unsigned int> numbers;
+      for (const std::size_t node : nodes[t])
+        numbers.push_back(number_of(node, group, index));
+      add_elements(group, type, numbers, mesh.vertices, mesh.middles);
     }
   }
 }
@@ -204,12 +250,12 @@ void require_cells(const std::string& file, const PhysicalGroup& region)
 
 } // namespace
 
-std::vector<PhysicalGroup> read_physical_groups(const std::string& file, const int dim,
-                                                const std::map<std::size_t, unsigned int>& index)
+void read_physical_groups(const GmshRequest& request, const int dim,
+                          const std::map<std::size_t, unsigned int>& index, CoarseMesh& mesh)
 {
+  const std::string& file = request.file;
   require_one_group_a_name(file);
   require_names(file, dim);
-  std::vector<PhysicalGroup> result;
   gmsh::vectorpair groups;
   gmsh::model::getPhysicalGroups(groups);
   for (const auto& [dimension, tag] : groups)
@@ -219,13 +265,12 @@ std::vector<PhysicalGroup> read_physical_groups(const std::string& file, const i
       if (group.name.empty())
         continue;
       group.name = writable(group.name);
-      read_elements(group, tag, index);
+      read_elements(group, tag, request.is_subdivided, index, mesh);
       if (dimension == dim)
         require_cells(file, group);
-      result.push_back(group);
+      mesh.groups.push_back(group);
     }
   require_regions_of_all_cells(file, dim);
-  return result;
 }
 
 } // namespace thelma

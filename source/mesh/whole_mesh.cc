@@ -9,6 +9,8 @@
 #include <boost/crc.hpp>
 
 #include <algorithm>
+#include <cstdio>
+#include <list>
 #include <numeric>
 
 namespace thelma
@@ -36,36 +38,6 @@ std::vector<std::uint8_t> entities_of_a_cell()
   return masks;
 }
 
-/// The vertices of @p cell in @p mask, sorted.
-template <int dim>
-VertexSet sorted_vertices(const dealii::CellData<dim>& cell, const std::uint8_t mask)
-{
-  VertexSet result;
-  for (unsigned int v = 0; v < cell.vertices.size(); ++v)
-    if (mask & (1u << v))
-      result.push_back(cell.vertices[v]);
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
-/// Turns the cells whose volume is negative. deal.II's own function for this throws, since 9.5, at
-/// a cell that no turn mends; check_shapes() says where such a cell is.
-template <int dim>
-void turn_negative(const std::vector<dealii::Point<dim>>& vertices,
-                   std::vector<dealii::CellData<dim>>& cells)
-{
-  for (dealii::CellData<dim>& cell : cells) {
-    std::vector<unsigned int>& corners = cell.vertices;
-    if (dealii::GridTools::cell_measure<dim>(vertices, corners) >= 0.)
-      continue;
-    if (dim == 2)
-      std::swap(corners[1], corners[2]);
-    else
-      for (const unsigned int v : {0, 1, 4, 5})
-        std::swap(corners[v], corners[v + 2]);
-  }
-}
-
 /// Throws InputError unless every face belongs to one cell or two different ones.
 template <int dim>
 void require_neighbours(const std::vector<dealii::CellData<dim>>& cells)
@@ -85,6 +57,15 @@ void require_neighbours(const std::vector<dealii::CellData<dim>>& cells)
   }
 }
 
+template <int dim>
+dealii::Point<dim> point(const std::array<double, 3>& X)
+{
+  dealii::Point<dim> result;
+  for (unsigned int d = 0; d < dim; ++d)
+    result[d] = X[axis<dim>(d)];
+  return result;
+}
+
 /// The root of a tree of vertices, with the way to it made short.
 unsigned int root(VertexSet& parent, unsigned int v)
 {
@@ -101,8 +82,8 @@ WholeMesh<dim>::WholeMesh(const CoarseMesh& coarse) : vertices(coarse.vertices.s
   // gmsh counts the vertices of a quadrilateral around it, deal.II row by row.
   const std::array<unsigned int, 8> order{{0, 1, 3, 2, 4, 5, 7, 6}};
   for (std::size_t v = 0; v < vertices.size(); ++v)
-    for (unsigned int d = 0; d < dim; ++d)
-      vertices[v][d] = coarse.vertices[v][axis<dim>(d)];
+    vertices[v] = point<dim>(coarse.vertices[v]);
+  find_middles(coarse);
   for (const PhysicalGroup& group : coarse.groups)
     if (group.dimension == dim) {
       for (const auto& element : group.elements) {
@@ -120,6 +101,25 @@ WholeMesh<dim>::WholeMesh(const CoarseMesh& coarse) : vertices(coarse.vertices.s
   dealii::GridTools::consistently_order_cells(cells);
   find_bodies();
   find_surfaces(coarse);
+}
+
+/// None if all edges are straight.
+template <int dim>
+void WholeMesh<dim>::find_middles(const CoarseMesh& coarse)
+{
+  bool is_straight = true;
+  for (const auto& [corners, X] : coarse.middles) {
+    const dealii::Point<dim> middle = point<dim>(X);
+    dealii::Tensor<1, dim> sum;
+    for (const unsigned int v : corners)
+      sum += vertices[v];
+    const double length = vertices[corners.front()].distance(vertices[corners.back()]);
+    is_straight =
+        is_straight && (middle - sum / static_cast<double>(corners.size())).norm() < 1e-9 * length;
+    middles.emplace(corners, middle);
+  }
+  if (is_straight)
+    middles.clear();
 }
 
 /// Numbers the bodies as the cells come to them, and the parts, so far regions, anew.
@@ -173,42 +173,37 @@ void WholeMesh<dim>::displace(const double amplitude, const std::vector<std::str
   if (expressions.size() != 3)
     throw InputError(place + ": an imperfection needs three expressions separated by ';', " +
                      std::to_string(expressions.size()) + " given");
-  const std::vector<dealii::Point<dim>> perfect = vertices;
-  for (int c = 0; c < dim; ++c) {
-    const Formula<3> shape(place, expressions[axis<dim>(c)], "x1,x2,x3");
-    for (std::size_t v = 0; v < vertices.size(); ++v) {
-      dealii::Point<3> X;
-      for (int d = 0; d < dim; ++d)
-        X[axis<dim>(d)] = perfect[v][d];
-      vertices[v][c] += amplitude * shape(X);
-    }
-  }
+  std::list<Formula<3>> formulas;
+  for (int c = 0; c < dim; ++c)
+    formulas.emplace_back(place, expressions[axis<dim>(c)], "x1,x2,x3");
+  const auto move = [&](dealii::Point<dim>& x) {
+    dealii::Point<3> X;
+    for (int d = 0; d < dim; ++d)
+      X[axis<dim>(d)] = x[d];
+    int c = 0;
+    for (const Formula<3>& shape : formulas)
+      x[c++] += amplitude * shape(X);
+  };
+  std::for_each(vertices.begin(), vertices.end(), move);
+  for (auto& middle : middles)
+    move(middle.second);
   check_shapes("section Mesh, entry 'Imperfection': the amplitude of " +
                dealii::Patterns::Tools::to_string(amplitude) +
                " mm inverts a cell; choose a smaller one or a smoother shape");
 }
 
-/// Where it is 1 a cell is a box, where 0 it is flat.
 template <int dim>
 double WholeMesh<dim>::shape_of(const dealii::CellData<dim>& cell) const
 {
-  constexpr unsigned int n = dealii::GeometryInfo<dim>::vertices_per_cell;
-  dealii::Point<dim> corners[n];
-  dealii::Tensor<0, dim> volumes[n];
-  for (unsigned int v = 0; v < n; ++v)
-    corners[v] = vertices[cell.vertices[v]];
-  dealii::GeometryInfo<dim>::alternating_form_at_vertices(corners, volumes);
-  double shape = 1.;
-  for (unsigned int v = 0; v < n; ++v) {
-    double edges = 1.;
-    for (unsigned int d = 0; d < dim; ++d)
-      edges *= corners[v].distance(corners[v ^ (1u << d)]);
-    shape = std::min(shape, edges > 0. ? double(volumes[v]) / edges : 0.);
-  }
-  return shape;
+  if (is_quadratic())
+    return shape_of_nodes(nodes_of(cell));
+  std::vector<dealii::Point<dim>> corners;
+  for (const unsigned int v : cell.vertices)
+    corners.push_back(vertices[v]);
+  return shape_of_corners(corners);
 }
 
-/// A cell is sound as long as its Jacobian is positive at every vertex.
+/// A cell is sound as long as its Jacobian is positive at every vertex, or node.
 template <int dim>
 void WholeMesh<dim>::check_shapes(const std::string& complaint)
 {
@@ -249,6 +244,8 @@ std::uint32_t WholeMesh<dim>::fingerprint() const
   boost::crc_32_type sum;
   for (const dealii::Point<dim>& vertex : vertices)
     sum.process_bytes(&vertex[0], dim * sizeof(double));
+  for (const auto& middle : middles)
+    sum.process_bytes(&middle.second[0], dim * sizeof(double));
   for (const dealii::CellData<dim>& cell : cells) {
     sum.process_bytes(cell.vertices.data(), cell.vertices.size() * sizeof(unsigned int));
     sum.process_bytes(&cell.material_id, sizeof(cell.material_id));
@@ -275,9 +272,14 @@ MeshTable WholeMesh<dim>::table() const
   const auto counted = [](const std::size_t n, const std::string& one, const std::string& several) {
     return std::to_string(n) + " " + (n == 1 ? one : several);
   };
-  result.remarks = {"mesh: " + counted(cells.size(), "cell", "cells") + ", " +
-                    counted(known.regions.size(), "region", "regions") + ", " +
-                    counted(n_bodies(), "body", "bodies")};
+  char shape[20];
+  std::snprintf(shape, sizeof shape, "%.2g", known.worst_shape);
+  result.remarks = {"mesh: " +
+                    counted(cells.size(), is_quadratic() ? "quadratic cell" : "cell",
+                            is_quadratic() ? "quadratic cells" : "cells") +
+                    ", " + counted(known.regions.size(), "region", "regions") + ", " +
+                    counted(n_bodies(), "body", "bodies") + ", shape quality of the worst cell " +
+                    std::string(shape)};
   const std::vector<std::string> doubts = contacts(*this);
   result.remarks.insert(result.remarks.end(), doubts.begin(), doubts.end());
   return result;

@@ -30,17 +30,23 @@ QUOTED = {"Regions/Materials": '"film, cast": rubber',
 SOUND = {"ascii_2_2.msh": {}, "binary_2_2.msh": {}, "ascii_4_0.msh": {}, "ascii_4_1.msh": {},
          "binary_4_1.msh": {}, "partitioned.msh": {}, "orphan_nodes.msh": {},
          "sparse_tags.msh": {}, "clockwise.msh": {}, "crlf.msh": {}, "metres.geo": {},
-         "with blanks/film of rubber.msh": {}, "unicode.msh": UNICODE,
+         "with blanks/film of rubber.msh": {}, "unicode.msh": UNICODE, "second_order.msh": {},
+         "in micrometres": {"Mesh/File": "micrometres.msh", "Mesh/Unit": "um"},
          "punctuated.msh": QUOTED}
 SOUND_SCENES = ["crlf.prm", "byte_order_mark.prm"]
 
 # What the sentence must say beside section and entry.
 BROKEN = {"byte_order_mark.msh": "byte order mark", "utf_16.msh": "byte order mark",
           "decimal_comma.msh": "decimal points", "no_elements.msh": "no cells",
-          "node_nowhere.msh": "node 2", "triangles.msh": "Mesh.SubdivisionAlgorithm = 1",
-          "second_order.msh": "order 1", "one_name_twice.msh": "physical surface 21",
+          "node_nowhere.msh": "node 2", "triangles.msh": "Cells = subdivided",
+          "one_name_twice.msh": "physical surface 21",
           "curve_and_surface.msh": "physical curve 12",
           "unnamed_region.msh": "physical surface 22"}
+MISUSED = {"Mesh.ScalingFactor = 1000": {"Mesh/File": "metres.geo", "Mesh/Unit": "m"},
+           "not a unit of length": {"Mesh/Unit": "kV"},
+           "are of order 2": {"Mesh/File": "second_order.msh",
+                                                             "Mesh/Refinements": "1"},
+           "quadratic and so curved": {"Mesh/File": "arcs.msh", "Mesh/Curved": "around x2"}}
 WARNED = {"apart.msh": "2 nodes of 'film' and 'film'"}
 
 
@@ -74,9 +80,9 @@ def judge_broken(name, result, words):
 
 def main():
     program, _ = program_and_ranks(__doc__)
-    meshes = [*SOUND, *BROKEN, *WARNED]
+    meshes = [*SOUND, *BROKEN, *WARNED, *MISUSED]
     scenes = [*SOUND_SCENES, "utf_16.prm"]
-    runs = [("film.prm", {"Mesh/File": name, **SOUND.get(name, {})}) for name in meshes]
+    runs = [("film.prm", {"Mesh/File": name, **SOUND.get(name, {}), **MISUSED.get(name, {})}) for name in meshes]
     runs += [(name, {}) for name in scenes]
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:
         results = dict(zip([*meshes, *scenes], pool.map(
@@ -84,7 +90,7 @@ def main():
             enumerate(runs))))
     for name in [*SOUND, *SOUND_SCENES]:
         judge_sound(name, results[name])
-    for name, words in {**BROKEN, "utf_16.prm": "UTF-16"}.items():
+    for name, words in {**BROKEN, **{words: words for words in MISUSED}, "utf_16.prm": "UTF-16"}.items():
         judge_broken(name, results[name], words)
     for name, words in WARNED.items():
         require(results[name][0] == 0 and f"warning: {words}" in results[name][1],

@@ -7,7 +7,7 @@
 #include <deal.II/base/index_set.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/mapping_q.h>
+#include <deal.II/fe/mapping.h>
 #include <deal.II/hp/fe_collection.h>
 #include <deal.II/lac/la_parallel_block_vector.h>
 
@@ -132,7 +132,7 @@ private:
   std::vector<std::string> passive_regions;
 
   std::unique_ptr<dealii::FE_Q<dim>> scalar;
-  std::unique_ptr<dealii::MappingQ<dim>> cell_mapping;
+  std::unique_ptr<dealii::Mapping<dim>> cell_mapping;
   dealii::hp::FECollection<dim> elements; ///< 0: every field; 1: no potential
   dealii::DoFHandler<dim> dofs;
   std::vector<std::vector<int>> position; ///< [fe_index][a * n_components + c], -1 if absent

@@ -12,4 +12,9 @@ namespace thelma
 /// on its version.
 CoarseMesh halved(const CoarseMesh& mesh, const std::string& around);
 
+/// Every triangle in three quadrilaterals, every tetrahedron or prism in four or six hexahedra, and
+/// lines and what meets them so as to fit; new nodes are in the middle, as a mesh without geometry
+/// has no better place for them.
+CoarseMesh subdivided(const CoarseMesh& mesh);
+
 } // namespace thelma

@@ -6,9 +6,11 @@
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/distributed/fully_distributed_tria.h>
+#include <deal.II/fe/mapping.h>
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -43,8 +45,9 @@ public:
 
   const CrossSection<dim>& cross_section() const { return section; }
 
-  /// Whether the edges of cells are arcs, so that quadratic elements need a quadratic geometry.
-  bool is_curved() const { return curved != "nowhere"; }
+  /// From the reference cell to the undeformed body, for elements of this degree: curved if the
+  /// cells are quadratic or their edges arcs and the degree is 2. The mesh must outlive it.
+  std::unique_ptr<dealii::Mapping<dim>> mapping(unsigned int degree) const;
 
   const dealii::Triangulation<dim>& triangulation() const { return tria; }
   MPI_Comm communicator() const { return tria.get_communicator(); }
@@ -86,18 +89,22 @@ public:
   std::vector<std::string> surface_names() const;
 
 private:
+  bool has_arcs() const { return curved != "as meshed"; }
+  double size_of_unit() const;
   void require_half_plane(const WholeMesh<dim>& whole) const;
   void distribute(const WholeMesh<dim>& whole);
+  void deal_nodes(const WholeMesh<dim>& whole);
   void set_manifold();
   void find_entities();
 
   CrossSection<dim> section;
-  std::string file, curved = "nowhere";
+  std::string file, unit = "mm", cells = "as meshed", curved = "as meshed";
   std::map<std::string, double> parameters;
   unsigned int refinements = 0;
   double imperfection = 0.; ///< mm
   std::vector<std::string> imperfection_shape;
   MeshTable table;
+  std::map<unsigned int, std::vector<dealii::Point<dim>>> quadratic_nodes; ///< by number_of()
   dealii::parallel::fullydistributed::Triangulation<dim> tria;
   std::map<std::string, std::vector<Entity>> surfaces;
 };

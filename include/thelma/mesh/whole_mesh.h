@@ -1,5 +1,6 @@
 #pragma once
 
+#include <thelma/mesh/cell_shapes.h>
 #include <thelma/mesh/gmsh_reader.h>
 
 #include <deal.II/base/point.h>
@@ -12,10 +13,6 @@
 
 namespace thelma
 {
-
-/// The vertices of face @p f of a cell, as bits.
-template <int dim>
-std::uint8_t face_vertices(unsigned int f);
 
 /// What every rank knows of a mesh, of which it has only some cells.
 struct MeshTable {
@@ -81,18 +78,29 @@ public:
   unsigned int body_of_part(const unsigned int part) const { return known.parts[part].body; }
   unsigned int n_bodies() const;
 
-  /// Smallest Jacobian at a vertex over the product of the edges there.
+  /// Smallest Jacobian at a vertex, or a node, over the product of the edges there.
   double shape_of(const dealii::CellData<dim>& cell) const;
+
+  /// Whether some edge is not straight.
+  bool is_quadratic() const { return !middles.empty(); }
+
+  /// All nodes of a quadratic @p cell, in the order of a Lagrange element of degree 2.
+  std::vector<dealii::Point<dim>> nodes_of(const dealii::CellData<dim>& cell) const
+  {
+    return quadratic_nodes(cell, vertices, middles);
+  }
 
   std::vector<dealii::Point<dim>> vertices; ///< in mm
   std::vector<dealii::CellData<dim>> cells; ///< their material is the number of the part
 
 private:
+  void find_middles(const CoarseMesh& coarse);
   void find_bodies();
   void find_surfaces(const CoarseMesh& coarse);
   void check_shapes(const std::string& complaint);
   std::uint32_t fingerprint() const;
 
+  Middles<dealii::Point<dim>> middles;
   MeshTable known;
 };
 
