@@ -38,7 +38,7 @@ public:
   {
     located([&]() {
       for (const double theta : temperatures)
-        library.check_at(theta);
+        library.check_at({theta, "a test"});
     });
     if (library.names().size() > 1 && name.empty())
       throw InputError(file.name() + ": it has the materials " + comma_separated(library.names()) +

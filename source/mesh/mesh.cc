@@ -17,6 +17,25 @@
 
 namespace thelma
 {
+namespace
+{
+
+/// Of a body of revolution.
+template <int dim>
+void require_half_plane(const WholeMesh<dim>& whole)
+{
+  double least = 0., size = 0.;
+  for (const dealii::Point<dim>& X : whole.vertices) {
+    least = std::min(least, X[0]);
+    size = std::max(size, std::abs(X[0]));
+  }
+  if (least < -1e-9 * size)
+    throw InputError("section Mesh, entry 'File': the mesh has a vertex at x1 = " + as_text(least) +
+                     " mm, but x1 is the radius of an axisymmetric body; keep the half of the "
+                     "section where x1 >= 0, or set Geometry = plane strain");
+}
+
+} // namespace
 
 template <int dim>
 Mesh<dim>::Mesh(const MPI_Comm comm) : tria(comm)
@@ -159,20 +178,6 @@ std::unique_ptr<dealii::Mapping<dim>> Mesh<dim>::mapping(const unsigned int degr
     return straight;
   });
   return result;
-}
-
-template <int dim>
-void Mesh<dim>::require_half_plane(const WholeMesh<dim>& whole) const
-{
-  double least = 0., size = 0.;
-  for (const dealii::Point<dim>& X : whole.vertices) {
-    least = std::min(least, X[0]);
-    size = std::max(size, std::abs(X[0]));
-  }
-  if (least < -1e-9 * size)
-    throw InputError("section Mesh, entry 'File': the mesh has a vertex at x1 = " + as_text(least) +
-                     " mm, but x1 is the radius of an axisymmetric body; keep the half of the "
-                     "section where x1 >= 0, or set Geometry = plane strain");
 }
 
 template <int dim>

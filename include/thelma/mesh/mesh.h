@@ -91,7 +91,6 @@ public:
 private:
   bool has_arcs() const { return curved != "as meshed"; }
   double size_of_unit() const;
-  void require_half_plane(const WholeMesh<dim>& whole) const;
   void distribute(const WholeMesh<dim>& whole);
   void deal_nodes(const WholeMesh<dim>& whole);
   void set_manifold();
