@@ -151,7 +151,7 @@ TEMPERATURE = """## Temperature
 One material for 21 measured stresses: VHB 4905 to $\\lambda$ = 4 ({liao}), VHB 4910 to $\\lambda$ = 2 and
 after an hour at $\\lambda$ = 3.5 ({alkhoury}). An Arruda-Boyce law and three branches; all moduli are
 constants, times $\\theta/\\theta_0$ as the energy of the model has it; all relaxation times shift by one
-WLF law (eq. (38)). $\\lambda_L$ = 5.85 is taken from {wang}, as these tests hold too few stretches to fit
+WLF law (eq. (47)). $\\lambda_L$ = 5.85 is taken from {wang}, as these tests hold too few stretches to fit
 it. Least squares of ln(model/measured). Assumptions: peaks are at the end of a stretch at a constant
 nominal rate; the film was stretched at 0.1 /s before it relaxed for an hour.
 

@@ -1,4 +1,4 @@
-"""Elastic and dielectric laws of doc/theory.md (eqs. 5 to 10, 91 to 96), written anew for numpy.
+"""Elastic and dielectric laws of doc/theory.md (eqs. 5 to 14, 9 to 16), written anew for numpy.
 
 Elastic laws are in units of the shear modulus and without the volumetric energy; a law's parameter is
 a number or a tuple:

@@ -1,4 +1,4 @@
-"""Point physics of doc/theory.md (eqs. 2 to 9), written anew for numpy.
+"""Point physics of doc/theory.md (eqs. 2 to 13), written anew for numpy.
 
 Every function takes complex numbers as well: tangents are complex-step derivatives of P and D, exact
 to rounding, and share no formula with the program's own.

@@ -12,7 +12,7 @@ namespace thelma
 namespace
 {
 
-/// Enhanced strain and field (theory.md, eq. 24): linear elements whose gradients have in each cell
+/// Enhanced strain and field (theory.md, eq. 31): linear elements whose gradients have in each cell
 /// dim more modes per component, those of quadratic bubbles across it. They let the cell bend
 /// without shear, and the field in it vary. Pressure and dilatation are linear as well. To the
 /// point loop the modes are further nodes.
@@ -73,7 +73,7 @@ public:
     for (std::size_t i = 0; i < n_outer; ++i)
       std::copy_n(result.tangent.begin() + i * n, n_outer, result.tangent.begin() + i * n_outer);
     result.tangent.resize(n_outer * n_outer);
-    // One for each mode of the potential belongs to a stable cell, as in eq. (51).
+    // One for each mode of the potential belongs to a stable cell, as in eq. (60).
     result.unstable_inside = static_cast<int>(n_negative) - (view.cell.has_potential ? dim : 0);
   }
 
@@ -189,7 +189,7 @@ private:
     return R;
   }
 
-  /// Squared residual @p R of the modes in the units of eq. (68).
+  /// Squared residual @p R of the modes in the units of eq. (82).
   double mode_error(const CellView<dim>& view, const double* R) const
   {
     const Material& material = *view.cell.material;

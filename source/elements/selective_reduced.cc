@@ -9,7 +9,7 @@ namespace
 {
 
 /// The volumetric energy at the Gauss rule of one point less per direction, the rest at the full
-/// one (theory.md, eq. 18): the paper's cure for volumetric locking. Each reduced point has a
+/// one (theory.md, eq. 25): the paper's cure for volumetric locking. Each reduced point has a
 /// pressure and a dilatation of its own. In balance the dilatation is J there, so the states are
 /// those of the displacements alone, but Newton's method finds them in fewer iterations.
 template <int dim>

@@ -31,7 +31,7 @@ double modulus(const SecondDerivatives<>& d, const Tensor3<2>& F, const Vector& 
   return sum;
 }
 
-/// A thick body against a thin film, in which field its surface becomes wavy (theory.md, eq. 22);
+/// A thick body against a thin film, in which field its surface becomes wavy (theory.md, eq. 29);
 /// @p q is the stretch along the wave over that across the film.
 double surface_factor(const double q)
 {

@@ -9,7 +9,7 @@
 namespace thelma
 {
 
-/// The rule of p + 1 points integrates eq. (61) exactly on faces that are polynomials of degree p.
+/// The rule of p + 1 points integrates eq. (74) exactly on faces that are polynomials of degree p.
 template <int dim>
 void DeformedSurface<dim>::setup(const Mesh<dim>& mesh, const DofLayout<dim>& layout,
                                  const std::string& name, const std::string& place)

@@ -12,7 +12,7 @@ namespace thelma
 namespace
 {
 
-/// Pressures that act on surfaces of the deformed body and follow it (theory.md, eqs. 60 to 62).
+/// Pressures that act on surfaces of the deformed body and follow it (theory.md, eqs. 73 to 75).
 template <int dim>
 class Pressure final : public Load<dim>
 {
@@ -47,7 +47,7 @@ public:
   AmplitudeEntry amplitude() const override { return {"Pressure", "Multiple of the pressures"}; }
   LevelText text() const override { return {"", " times the pressure"}; }
 
-  /// Eq. (60).
+  /// Eq. (73).
   void add_forces(const double factor, const Instant& at, const State& /*state*/,
                   const BlockVector& x, BlockVector& nodal) const override
   {
@@ -63,7 +63,7 @@ public:
     }
   }
 
-  /// Eq. (62).
+  /// Eq. (75).
   void add_tangent(const State& state, TangentEntries<dim>& tangent) const override
   {
     std::vector<double> entries;

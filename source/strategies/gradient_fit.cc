@@ -57,7 +57,7 @@ void GradientFit<dim>::add(const Gradient& wanted, const std::vector<State::Acce
   x.block(0) += moments.block(0);
 }
 
-/// The matrix of eq. (64).
+/// The matrix of eq. (78).
 template <int dim>
 void GradientFit<dim>::make_laplacian()
 {

@@ -21,7 +21,7 @@ double slope(DiscreteSystem<dim>& system)
   return 2. * system.load() / system.response().l2_norm();
 }
 
-/// The load at which the slope becomes zero (theory.md, eq. 57). The last state and its tangent
+/// The load at which the slope becomes zero (theory.md, eq. 66). The last state and its tangent
 /// remain.
 template <int dim>
 double turning_load(DiscreteSystem<dim>& system, State& state)

@@ -71,7 +71,7 @@ def check_iterations(program, folder):
 
 def check_plane_against_space(program, folder, ranks):
     """On matching meshes plane strain and the body held at its sides are the same, up to fields at which
-    waves across its width would matter (doc/theory.md, eq. 23)."""
+    waves across its width would matter (doc/theory.md, eq. 30)."""
     values = []
     for scene, mesh in [("bending_actuator_plane", "n1: 2, n3: 14"),
                         ("bending_actuator", "n1: 2, n2: 1, n3: 14")]:

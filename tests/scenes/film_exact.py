@@ -14,7 +14,7 @@ MOONEY_RIVLIN = ("Mooney-Rivlin", 0.5)  # share of the second invariant
 
 
 def w(law, stretches, ratio):
-    """(w_1, w_3) for K/mu = ratio (doc/theory.md, eqs. 9, 6, 8)."""
+    """(w_1, w_3) for K/mu = ratio (doc/theory.md, eqs. 13, 6, 8)."""
     name, number = law
     squares = [stretch**2 for stretch in stretches]
     pressure = ratio * math.log(math.prod(stretches))

@@ -1,6 +1,6 @@
 """Exact homogeneous films of Yeoh's and Ogden's rubber, and with fibres.
 
-With w_i = lambda_i dpsi/dlambda_i of the material without a field (doc/theory.md, eqs. 9, 91, 92, 93) and the Maxwell
+With w_i = lambda_i dpsi/dlambda_i of the material without a field (doc/theory.md, eqs. 13, 9, 10, 11) and the Maxwell
 stress M = e^2 mu lambda_1 lambda_2/lambda_3, a film without forces has w_1 = w_2 = -w_3 = M/2.
 """
 

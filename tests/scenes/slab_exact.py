@@ -1,4 +1,4 @@
-"""A slab with both faces stepped from 293 to 353 K: its Fourier series (doc/theory.md, eq. 32)."""
+"""A slab with both faces stepped from 293 to 353 K: its Fourier series (doc/theory.md, eq. 41)."""
 
 import math
 

@@ -25,7 +25,7 @@ struct Convergence {
   double error() const { return std::abs(way) + doubt; }
 };
 
-/// Of @p values, one of each run of a series (theory.md, eqs. 70 and 71); differences up to
+/// Of @p values, one of each run of a series (theory.md, eqs. 84 and 85); differences up to
 /// @p noise are no sign of anything.
 Convergence convergence(const std::vector<double>& values, std::size_t given, double highest_order,
                         double noise);

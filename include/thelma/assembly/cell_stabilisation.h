@@ -7,7 +7,7 @@
 namespace thelma
 {
 
-/// The stabilisation of the cells, which a strong field makes them need (theory.md, eqs. 21 to 23):
+/// The stabilisation of the cells, which a strong field makes them need (theory.md, eqs. 28 to 30):
 /// that of one state while a solution is sought, so that the equations have a potential, then made
 /// to follow the solution.
 template <int dim>

@@ -14,7 +14,7 @@ namespace thelma
 
 /// The potentials of electrodes whose charge is given, as a border of the tangent: the matrix
 /// itself holds them, and its pattern is the same whether an electrode floats or not (theory.md,
-/// eq. 59).
+/// eq. 68).
 template <int dim>
 class FloatingElectrodes
 {

@@ -8,7 +8,7 @@ namespace thelma
 {
 
 /// The heat that the nodes store: the capacity by the quadrature whose points are the nodes
-/// (theory.md, eq. 28). So it has no entries beside the diagonal, and small time steps cause no
+/// (theory.md, eq. 37). So it has no entries beside the diagonal, and small time steps cause no
 /// undershoots.
 template <int dim>
 class HeatStorage

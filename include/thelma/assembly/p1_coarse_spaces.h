@@ -12,7 +12,7 @@ namespace thelma
 
 /// Linear elements between the corners of cells of the deformed body, where multigrid goes on from
 /// the displacement and potential blocks of a tangent: 2 mu sym(grad v) : sym(grad w) and
-/// eps grad(phi) . grad(chi) (theory.md, eq. 67). Positive in every state, with the rigid motions
+/// eps grad(phi) . grad(chi) (theory.md, eq. 81). Positive in every state, with the rigid motions
 /// as only null space; in a body of revolution those that strain the circles are nearly in it.
 template <int dim>
 class P1CoarseSpaces final : public CoarseGrids

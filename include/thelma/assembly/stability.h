@@ -18,7 +18,7 @@ public:
   }
 
   /// From now on the unstable directions that this unsymmetric tangent does not tell are counted on
-  /// that of displacement and potential alone (theory.md, eqs. 52, 53).
+  /// that of displacement and potential alone (theory.md, eqs. 61, 62).
   void count_on(Stability& displacement_and_potential)
   {
     symmetric_part = &displacement_and_potential;
@@ -42,7 +42,7 @@ public:
   long long unstable_directions(long long negative_pivots) const;
 
   /// The eigenvalue of smallest size of the tangent with all fields but the displacement
-  /// eliminated, and its eigenvector of length 1 in @p mode (theory.md, eq. 56); not a number where
+  /// eliminated, and its eigenvector of length 1 in @p mode (theory.md, eq. 65); not a number where
   /// it is not found.
   double critical_mode(BlockVector& mode);
 

@@ -7,7 +7,7 @@
 namespace thelma
 {
 
-/// The modes M_k of enhanced strain and field (theory.md, eq. 24): dim quadratic bubbles across
+/// The modes M_k of enhanced strain and field (theory.md, eq. 31): dim quadratic bubbles across
 /// each cell, of which only the gradients at the Gauss points of a linear element matter. An
 /// amplitude alpha_k has the components of a node; they are stored [k][c].
 template <int dim>

@@ -102,7 +102,7 @@ struct Elimination {
 };
 
 /// What the residuals of the fields are measured by: a stress mu in MPa, an electric displacement
-/// sqrt(eps mu), a heat flux k * 1 K/mm (theory.md, eq. 68).
+/// sqrt(eps mu), a heat flux k * 1 K/mm (theory.md, eq. 82).
 inline std::array<double, n_field_kinds> flux_units(const Material& material, const double theta)
 {
   const double mu = material.shear_modulus(theta);

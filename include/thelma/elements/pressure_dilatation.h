@@ -9,10 +9,10 @@ namespace thelma
 {
 
 /// Formulations in which the volumetric energy sees a dilatation t of the cell instead of J, tied
-/// to it by a pressure p (theory.md, eq. 19):
+/// to it by a pressure p (theory.md, eq. 26):
 ///   Pi = int psi - psi_v(J) + psi_v(t) + p (J - t) dV.
 /// p and t are iterates of Newton's method and condensed from each linear system only, so that the
-/// volumetric energy never meets a displacement that is not yet in balance (eq. (20)).
+/// volumetric energy never meets a displacement that is not yet in balance (eq. (27)).
 ///
 /// Internal unknowns: p, then t, condensed by PressureElimination.
 template <int dim>

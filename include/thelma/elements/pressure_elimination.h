@@ -6,7 +6,7 @@ namespace thelma
 {
 
 /// Condenses the pressure p and the dilatation t of a cell, see PressureDilatation, from its linear
-/// systems (theory.md, eq. 20).
+/// systems (theory.md, eq. 27).
 ///
 /// What it keeps of a tangent: S = M H M, the stabilisation, then B, the derivative of R_p by each
 /// displacement component; with a temperature field also of R_t by the temperature and of the heat

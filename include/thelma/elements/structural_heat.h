@@ -7,12 +7,12 @@
 #include <vector>
 
 /// Heat that deformation and field make: theta h N_a in the heat balance, with the rate of entropy
-/// h of theory.md, eqs. 26 and 29. The capacity is elsewhere (HeatStorage).
+/// h of theory.md, eqs. 35 and 38. The capacity is elsewhere (HeatStorage).
 namespace thelma
 {
 
 /// Subtract the rate of what is dissipated over theta from h, and let the derivatives of entropy
-/// count what flow makes of the internal variables (theory.md, eqs. 42, 43).
+/// count what flow makes of the internal variables (theory.md, eqs. 51, 52).
 inline void add_flow(const Material& material, const PointState<>& state, const CellMemory& memory,
                      const unsigned int q, const Rates& rates, EntropyRate& out)
 {

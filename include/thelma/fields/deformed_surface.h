@@ -46,7 +46,7 @@ public:
   void visit(const DofLayout<dim>& layout, const BlockVector& x, const Visitor& visit) const;
 
   /// Volume (in plane strain per mm) between the own faces and the origin, negative where the body
-  /// lies outside (theory.md, eq. 61).
+  /// lies outside (theory.md, eq. 74).
   double own_volume(const DofLayout<dim>& layout, const BlockVector& x) const;
 
 private:

@@ -24,7 +24,7 @@ dealii::Quadrature<d> nodal_rule(const DofLayout<dim>& layout)
 }
 
 /// Add to the entries of @p field in @p nodal the integrals of @p density(cell, point of the
-/// undeformed body) times their shape functions, by nodal_rule() (theory.md, eq. 28);
+/// undeformed body) times their shape functions, by nodal_rule() (theory.md, eq. 37);
 /// compress(add) comes later.
 template <int dim>
 void add_nodal_integrals(

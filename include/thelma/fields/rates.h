@@ -9,11 +9,11 @@ namespace thelma
 {
 
 /// What deformation and field contribute to the heat balance of a transient scene: nothing, the
-/// structural heat H, or the rate of entropy theta eta_dot (theory.md, eqs. 26, 29).
+/// structural heat H, or the rate of entropy theta eta_dot (theory.md, eqs. 35, 38).
 enum class StructuralHeat { none, power, entropy };
 
 /// Backward differences: the rate of x is weights[0] x + weights[1] x_1 + ... with the accepted
-/// states x_1, x_2, newest first, and the weights in 1/s (theory.md, eq. 27).
+/// states x_1, x_2, newest first, and the weights in 1/s (theory.md, eq. 36).
 struct Rates {
   std::array<double, 3> weights{};
   std::size_t n_past = 1;

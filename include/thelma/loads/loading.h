@@ -13,7 +13,7 @@ namespace thelma
 {
 
 /// What the load factor means: a voltage in kV, a charge in uC or a dimensionless nominal field
-///   e = V / h sqrt(eps / mu(theta))      (theory.md, eq. 44).
+///   e = V / h sqrt(eps / mu(theta))      (theory.md, eq. 53).
 class Loading
 {
 public:

@@ -10,7 +10,7 @@ namespace thelma
 
 /// The free energy of theory.md, eq. 4, from an elastic and a dielectric law:
 ///   psi = (theta/theta_0) [W(F_EM, theta) + U(J_EM)] + psi_dielectric(F, E, theta) + psi_t(theta).
-/// Branches with memory add their incremental potential to W (theory.md, eq. 40), of which P and
+/// Branches with memory add their incremental potential to W (theory.md, eq. 49), of which P and
 /// its derivatives follow; energies and entropy count what they store, and their derivatives here
 /// leave the flow out. Number-generic, so that Sacado can differentiate each function and the tests
 /// compare.

@@ -7,7 +7,7 @@
 namespace thelma
 {
 
-/// Dielectric whose permittivity depends on deformation (theory.md, eq. 95), the tensor
+/// Dielectric whose permittivity depends on deformation (theory.md, eq. 15), the tensor
 ///   eps (k I + c_1 B),   k = 1 - c_1 + c_2 (tr B - 3),   B = F F^T,
 /// in the deformed body, to first order in B - I the most general one of an isotropic body. With
 /// the true field g = F^{-T} E, d = F^{-1} g and Q = k g.g + c_1 E.E,

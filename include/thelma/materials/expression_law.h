@@ -10,7 +10,7 @@
 namespace thelma
 {
 
-/// An energy W(I_1, I_2, J, theta) of F_EM that a parameter file brings along (theory.md, eq. 94),
+/// An energy W(I_1, I_2, J, theta) of F_EM that a parameter file brings along (theory.md, eq. 12),
 /// without its volumetric part; its derivatives by the four are exact (Jet).
 class ExpressionLaw
 {

@@ -13,7 +13,7 @@ namespace thelma
 {
 
 /// Neo-Hookean with families of fibres in a plane of the body (Holzapfel, Gasser and Ogden, J.
-/// Elasticity 61 (2000) 1; theory.md, eq. 93), without its volumetric energy. Each direction a adds
+/// Elasticity 61 (2000) 1; theory.md, eq. 11), without its volumetric energy. Each direction a adds
 ///   k_1(theta)/(2 k_2) (exp(k_2 x^2) - 1),   x = <|F a|^2 - 1>,
 /// nothing where it is shorter than at rest. W_F is continuous there, W_FF is not.
 class Fibres

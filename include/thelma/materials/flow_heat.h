@@ -6,7 +6,7 @@
 namespace thelma
 {
 
-/// What flow dissipates over a step, per reference volume (theory.md, eq. 43).
+/// What flow dissipates over a step, per reference volume (theory.md, eq. 52).
 template <typename Number = double>
 struct Dissipated {
   Number energy = 0.;  ///< MPa

@@ -5,7 +5,7 @@
 namespace thelma
 {
 
-/// Ideal dielectric (theory.md, eq. 10), with the true field g = F^{-T} E and d = F^{-1} g:
+/// Ideal dielectric (theory.md, eq. 14), with the true field g = F^{-T} E and d = F^{-1} g:
 ///   psi = -eps/2 J C^{-1} : E x E = -eps/2 J g.g,   D = eps J d,
 ///   P = eps J (g x d - g.g/2 F^{-T}).
 class IdealDielectric : public Permittivity

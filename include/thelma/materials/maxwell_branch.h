@@ -15,7 +15,7 @@ namespace thelma
 {
 
 /// A spring of shear modulus G(theta) in series with a dashpot of relaxation time tau(theta), at
-/// finite strain (theory.md, eqs. 36 to 41). Its internal variable is C_v, symmetric with det C_v =
+/// finite strain (theory.md, eqs. 45 to 50). Its internal variable is C_v, symmetric with det C_v =
 /// 1, which flows towards C_iso. A step ends where an incremental potential W is least among all
 /// C_v of determinant 1: with what history makes of the step, MaxwellStep,
 ///   N = start + w C_iso,   c = (det N)^{1/3},   C_v = N/c,   W = 3 G/2 c/w + const.
@@ -92,7 +92,7 @@ public:
   }
 
   /// Add what is stored, w = G/2 (C_iso : C_v^{-1} - 3), and the derivatives of W,
-  /// W_F = G (T - m g) with m = tr(B)/3, g = F^{-T} (theory.md, eq. 41).
+  /// W_F = G (T - m g) with m = tr(B)/3, g = F^{-T} (theory.md, eq. 50).
   template <typename Number>
   void add_first(const Tensor3<2, Number>& F, const Kinematics<Number>& kin,
                  const IsochoricStrain<Number>& strain, const Number& theta,
@@ -161,7 +161,7 @@ public:
     return {strain.C, end.c * end.N_inverse, theta};
   }
 
-  /// Add theta_0 times what is dissipated between two states (theory.md, eq. 43).
+  /// Add theta_0 times what is dissipated between two states (theory.md, eq. 52).
   template <typename Number>
   void add_dissipated(const Flowed<>& start, const Flowed<Number>& end,
                       Dissipated<Number>& sum) const

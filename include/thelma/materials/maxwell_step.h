@@ -6,7 +6,7 @@ namespace thelma
 {
 
 /// How C_v of a Maxwell branch flows over a step: it ends at N/(det N)^{1/3} with N = start +
-/// weight C_iso and the strain C_iso at the end (theory.md, eq. 39).
+/// weight C_iso and the strain C_iso at the end (theory.md, eq. 48).
 struct MaxwellStep {
   Tensor3<2> start;
   double weight = 0.;

@@ -13,7 +13,7 @@
 namespace thelma
 {
 
-/// Ogden's powers of the principal stretches (theory.md, eq. 92), without their volumetric energy:
+/// Ogden's powers of the principal stretches (theory.md, eq. 10), without their volumetric energy:
 ///   W = t(theta) sum_p mu_p (sum_a (lambda_a^alpha_p - 1)/alpha_p - ln J),
 ///   W_F = t (2 F f(C) - sum_p mu_p F^{-T}),   f(c) = sum_p mu_p/2 c^q_p,   q = alpha/2 - 1.
 /// The derivatives of f(C) are divided differences of f at the squared stretches c_a, which are

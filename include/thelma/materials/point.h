@@ -87,7 +87,7 @@ struct ElasticDerivatives {
 };
 
 /// Rate of entropy h = deta/dF : F_dot + deta/dE . E_dot that deformation and field cause, so that
-/// the structural heat is H = -theta h (theory.md, eq. 26), and its derivatives.
+/// the structural heat is H = -theta h (theory.md, eq. 35), and its derivatives.
 struct EntropyRate {
   double h = 0.;            ///< MPa/(K s)
   Tensor3<2> d_dF, d_dFdot; ///< each at a fixed value of the other

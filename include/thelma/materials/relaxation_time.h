@@ -11,7 +11,7 @@ namespace thelma
 {
 
 /// A relaxation time tau(theta): a TemperatureLaw times a shift a_T(theta) that is 1 at theta_r
-/// (theory.md, eq. 38),
+/// (theory.md, eq. 47),
 ///   Arrhenius:  ln a_T = E_a/R (1/theta - 1/theta_r),
 ///   WLF:        log10 a_T = -C_1 (theta - theta_r)/(C_2 + theta - theta_r).
 class RelaxationTime

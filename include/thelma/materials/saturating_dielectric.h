@@ -6,7 +6,7 @@
 namespace thelma
 {
 
-/// Dielectric whose dipoles align (theory.md, eq. 96): the polarisation is that of Langevin,
+/// Dielectric whose dipoles align (theory.md, eq. 16): the polarisation is that of Langevin,
 ///   psi = -J Phi,   Phi = eps_0/2 g.g + P_s^2/(3 chi) ln(sinh x/x),   x = 3 chi |g|/P_s,
 /// with the true field g = F^{-T} E, eps_0 of vacuum and chi = eps(theta) - eps_0. The polarisation
 /// is P_s L(x), L(x) = coth x - 1/x: chi g in weak fields, P_s at most.

@@ -9,7 +9,7 @@ namespace thelma
 {
 
 /// A function through values at temperatures: cubic pieces with continuous slopes that never leave
-/// the range of the two values around (theory.md, eq. 97). No number outside the temperatures.
+/// the range of the two values around (theory.md, eq. 18). No number outside the temperatures.
 class TemperatureTable
 {
 public:

@@ -8,7 +8,7 @@ namespace thelma
 {
 
 /// What depends on temperature alone or on J and temperature: thermal split, volumetric energy,
-/// heat capacity, conduction (theory.md, eqs. 2, 9, 11, 15).
+/// heat capacity, conduction (theory.md, eqs. 2, 13, 17, 22).
 class Thermal
 {
 public:

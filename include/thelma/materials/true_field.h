@@ -28,7 +28,7 @@ void add_stress(const TrueField<Number>& field, const Kinematics<Number>& kin, c
 }
 
 /// Add the derivatives of psi = -J Phi(g.g) with respect to F and E, given J Phi and J e, where
-/// e = 2 dPhi/d(g.g) (theory.md, eq. 13): P = J (e g x d - Phi G), D = J e d.
+/// e = 2 dPhi/d(g.g) (theory.md, eq. 20): P = J (e g x d - Phi G), D = J e d.
 template <typename Number>
 void add_maxwell(const TrueField<Number>& field, const Kinematics<Number>& kin, const Number& e_J,
                  const Number& Phi_J, FirstDerivatives<Number>& out)

@@ -7,7 +7,7 @@
 namespace thelma
 {
 
-/// Yeoh's polynomial in x = F : F - 3 (theory.md, eq. 91), without its volumetric energy:
+/// Yeoh's polynomial in x = F : F - 3 (theory.md, eq. 9), without its volumetric energy:
 ///   W = mu(theta)/2 (p(x) - 2 ln J),   p = x + c_2 x^2 + c_3 x^3 + ...,   c_i = C_i/C_1,
 ///   W_F = mu (p' F - F^{-T}).
 class Yeoh : public ShearLaw<Yeoh>

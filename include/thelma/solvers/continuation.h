@@ -74,7 +74,7 @@ private:
 
 /// A system with its load as one more unknown and a plane as one more equation. Both right-hand
 /// sides, the residual and its derivative with respect to the load, share one factorisation
-/// (theory.md, eq. 55).
+/// (theory.md, eq. 64).
 ///
 /// No tangent serves twice: in a direction in which the body has lost its stiffness since, an old
 /// one blows up what rounding has left there, and the iteration ends on another path.

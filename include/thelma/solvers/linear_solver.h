@@ -22,7 +22,7 @@ struct [[nodiscard]] LinearReport {
   unsigned int iterations = 0; ///< of a Krylov method
 };
 
-/// Pressures q of single cells that a tangent keeps as unknowns (theory.md, eq. 66):
+/// Pressures q of single cells that a tangent keeps as unknowns (theory.md, eq. 80):
 ///   [ A  B^T ] [x]   [r]
 ///   [ B  -C  ] [q] = [0].
 class CellPressures

@@ -10,7 +10,7 @@
 namespace thelma
 {
 
-/// The tangent with its pressures as last block (theory.md, eq. 66). Rows are scaled so that the
+/// The tangent with its pressures as last block (theory.md, eq. 80). Rows are scaled so that the
 /// norm of a residual makes sense in whatever units its fields have.
 class MixedOperator
 {

@@ -13,7 +13,7 @@
 namespace thelma
 {
 
-/// Finds the displacement whose gradient comes nearest to a given one (theory.md, eq. 64).
+/// Finds the displacement whose gradient comes nearest to a given one (theory.md, eq. 78).
 template <int dim>
 class GradientFit
 {

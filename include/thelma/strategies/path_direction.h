@@ -10,7 +10,7 @@ namespace thelma
 {
 
 /// Whether the @p guess, at @p load, goes on about as the last step of a path went, from @p before
-/// to @p last, by the @p metric or in the displacements alone (theory.md, eq. 65).
+/// to @p last, by the @p metric or in the displacements alone (theory.md, eq. 79).
 bool goes_on(const State::Accepted& before, const State::Accepted& last, const BlockVector& guess,
              double load, const PathMetric* metric);
 

@@ -27,7 +27,7 @@ const TimeScheme& time_scheme(const std::string& name);
 
 /// Error of a step by a @p scheme as a part of the distance between its result and the polynomial
 /// of the @p order through the accepted states, given their @p times, newest last (theory.md,
-/// eq. 30). Where fewer states are known than the scheme has orders, that of a lower order.
+/// eq. 39). Where fewer states are known than the scheme has orders, that of a lower order.
 double error_share(const TimeScheme& scheme, double time, const std::vector<double>& times,
                    unsigned int order);
 

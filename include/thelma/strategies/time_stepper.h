@@ -104,7 +104,7 @@ private:
 
 /// Error of the first step, to @p time from 0, as a part of the distance between the result of a
 /// @p longer first step and the line through the start and the result of this one (theory.md,
-/// eq. 31).
+/// eq. 40).
 double first_error_share(double time, double longer);
 
 } // namespace thelma

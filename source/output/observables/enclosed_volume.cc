@@ -9,7 +9,7 @@ namespace
 {
 
 /// Volume between a named surface and the symmetry planes through the origin, of a balloon's inside
-/// for example (theory.md, eq. 61). In plane strain per mm.
+/// for example (theory.md, eq. 74). In plane strain per mm.
 template <int dim>
 class EnclosedVolume final : public Observable<dim>
 {

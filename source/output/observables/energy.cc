@@ -43,7 +43,7 @@ public:
   }
 
 private:
-  /// Eq. (110).
+  /// Eq. (69).
   double potential(const ObservableInput<dim>& scene) const
   {
     const State& state = scene.state;

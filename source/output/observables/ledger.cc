@@ -14,7 +14,7 @@ namespace thelma
 namespace
 {
 
-/// The first and the second law (theory.md, eqs. 33, 34, 35): what is stored, what came in through
+/// The first and the second law (theory.md, eqs. 42, 43, 44): what is stored, what came in through
 /// electrodes, loads, supports and walls, what conduction made of entropy, and what is missing. In
 /// time since time 0, otherwise since the first row of the curve, with the heat that a bath gives.
 template <int dim>

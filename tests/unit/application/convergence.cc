@@ -1,4 +1,4 @@
-// Error estimates from series of runs (theory.md, eqs. 70 and 71): numbers with known limits.
+// Error estimates from series of runs (theory.md, eqs. 84 and 85): numbers with known limits.
 
 #include <thelma/application/convergence.h>
 

@@ -15,8 +15,8 @@
 namespace thelma_test
 {
 
-/// Fields over space and time, and the loads that hold them in balance (theory.md, eqs. 17a to
-/// 17c): value(t) shape(X) for each component, plus a constant for the temperature.
+/// Fields over space and time, and the loads that hold them in balance (theory.md, eqs. 24a to
+/// 24c): value(t) shape(X) for each component, plus a constant for the temperature.
 struct ExactFields {
   /// amplitude (mean + swing sin(rate t)) times sin(k.X + shift), or times (k.X + shift) if linear.
   struct Component {

@@ -204,7 +204,7 @@ TEST(MaterialsOracle, EntropyRate)
   });
 }
 
-/// psi_v of theory.md, eq. 9, written once more.
+/// psi_v of theory.md, eq. 13, written once more.
 template <typename Number>
 Number volumetric_energy(const Thermal& thermal, const Number& J, const Number& theta)
 {
@@ -240,7 +240,7 @@ TEST(MaterialsOracle, VolumetricEnergy)
   }
 }
 
-/// Fourier's law as theory.md, eq. 15, has it, through C instead of the code's F^{-T}.
+/// Fourier's law as theory.md, eq. 22, has it, through C instead of the code's F^{-T}.
 template <typename Number>
 Tensor3<1, Number> heat_flux(const double k, const Tensor3<2, Number>& F,
                              const Tensor3<1, Number>& grad_theta)

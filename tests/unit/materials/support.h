@@ -171,7 +171,7 @@ public:
   const double* remembered() const { return relaxed.data(); }
 
   /// 250 to 400 K and |E| up to twice the nominal field 0.687 sqrt(mu/eps) at which a free planar
-  /// film pulls in (theory.md, eq. 45).
+  /// film pulls in (theory.md, eq. 54).
   PointState<> next(const Material& material)
   {
     PointState<> state;
