@@ -8,6 +8,7 @@ converge to it with their order.
 """
 
 import math
+import subprocess
 
 import numpy as np
 from scipy.integrate import quad
@@ -72,19 +73,34 @@ def check_gravity(program, folder, ranks):
 
 
 def check_body_force(program, folder, ranks):
-    """The same by a body force of the place; and in plane strain, by two regions."""
+    """The same by a body force of the place; in plane strain and in a body of revolution, by two regions."""
     exact = {"displacement_u3_mm": hanging(lambda X: 0.01 * math.sin(X))}
     entries = {"Loads/Gravity": "", "Loads/Body force": "film: 0 0 0.01*sin(x3)",
                "Loading/Stages": "body force 1"}
     require_convergence(program, folder, ranks, "body force of x3", entries, exact)
-    plane = program.run("verification/column", folder, *settings({
-        "Mesh/Parameters": "L: 4, H: 1, n1: 2, n3: 16", "Materials/elastomer/Bulk modulus": "0.6",
-        "Supports/Fixed": "outer: u1, back: u1, x3_min: u3", "Loads/Force": "",
-        "Loads/Body force": "active: 0 0.01*sin(x3), passive: 0 0.01*sin(x3)",
-        "Loading/Stages": "body force 1", "Output/Fields": "none"}), ranks=ranks).curve()
-    error = plane["tip_u3_mm"][-1] / exact["displacement_u3_mm"] - 1
-    print(f"{ranks} rank(s), body force in plane strain: error {error:.1e}")
-    require(abs(error) < 1e-6, "not exact in plane strain")
+    for geometry, sides in (("plane strain", "outer: u1, back: u1"), ("axisymmetric", "back: u1")):
+        flat = program.run("verification/column", folder / geometry, *settings({
+            "Geometry": geometry, "Mesh/Parameters": "L: 4, H: 1, n1: 2, n3: 16",
+            "Materials/elastomer/Bulk modulus": "0.6", "Supports/Fixed": f"{sides}, x3_min: u3",
+            "Loads/Force": "", "Loads/Body force": "active: 0 0.01*sin(x3), passive: 0 0.01*sin(x3)",
+            "Loading/Stages": "body force 1", "Output/Fields": "none",
+            "Output/Observables": "tip, reaction", "Observables/reaction/At": "x3_min"}), ranks=ranks).curve()
+        depth = math.pi if geometry == "axisymmetric" else 1  # times H = 1 mm: the cross section
+        errors = [flat["tip_u3_mm"][-1] / exact["displacement_u3_mm"] - 1,
+                  flat["reaction_f3_N"][-1] / (-depth * 0.01 * (1 - math.cos(LENGTH))) - 1]
+        print(f"{ranks} rank(s), body force, {geometry}: errors of the end {errors[0]:.1e}, of the reaction "
+              f"{errors[1]:.1e}")
+        require(max(map(abs, errors)) < 1e-6, f"not exact with {geometry}")
+    require(refused(program, folder / "radial"), "gravity that is not along the axis")
+
+
+def refused(program, folder):
+    """Whether a body of revolution under gravity across its axis is."""
+    command = program.command(["prm/verification/column.prm", *settings({
+        "Geometry": "axisymmetric", "Supports/Fixed": "x3_min: u3", "Loads/Force": "", "Loads/Gravity": "1 0",
+        "Loading/Stages": "gravity 1"}), "--output", str(folder)], 1)
+    done = subprocess.run(command, cwd=program.source, capture_output=True, text=True, check=False)
+    return done.returncode == 1 and "entry 'Gravity'" in done.stderr + done.stdout
 
 
 def check_traction(program, folder, ranks):
