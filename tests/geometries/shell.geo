@@ -1,5 +1,5 @@
 // An octant of a spherical shell around the origin, radii 1 and 2 mm.
-DefineConstant[ size = {0.5, Name "size"}, order = {2, Name "order", Min 1, Max 2, Step 1},
+DefineConstant[ size = {0.7, Name "size"}, order = {2, Name "order", Min 1, Max 2, Step 1},
   incomplete = {0, Name "incomplete", Min 0, Max 1, Step 1}
 ];
 SetFactory("OpenCASCADE");
