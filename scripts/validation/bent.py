@@ -61,6 +61,8 @@ def bilayer(rng, element):
     length, n3 = float(rng.choice([10.0, 16.0])), int(rng.choice([8, 12, 16, 20]))
     n = int(rng.choice([1, 2, 2])) if element[1] == 2 else 2
     e = draw.log_uniform(rng, 1e-4, 0.6) if rng.random() < 0.4 else float(rng.uniform(0.1, 0.6))
+    if element[0] == "enhanced strain":  # which hourglasses beyond (doc/elements.md)
+        e /= 3
     voltage = e * draw.of_one(a) * ha
     solver = Solver(Layered("bilayer", ((ha, a, True), (1 - ha, b, False))))
     rest, y = solver.path(0.0, 1), solver.path(voltage, 2 + int(20 * e))
