@@ -140,17 +140,24 @@ double shape_of_nodes(const std::vector<dealii::Point<dim>>& nodes)
   return shape;
 }
 
-#define THELMA_INSTANTIATE(dim)                                                                    \
-  template std::uint8_t face_vertices<dim>(unsigned int);                                          \
-  template std::vector<unsigned int> sorted_vertices(const dealii::CellData<dim>&, std::uint8_t);  \
-  template std::vector<dealii::Point<dim>> quadratic_nodes(const dealii::CellData<dim>&,           \
-                                                           const std::vector<dealii::Point<dim>>&, \
-                                                           const Middles<dealii::Point<dim>>&);    \
-  template void turn_negative(const std::vector<dealii::Point<dim>>&,                              \
-                              std::vector<dealii::CellData<dim>>&);                                \
-  template double shape_of_corners(const std::vector<dealii::Point<dim>>&);                        \
-  template double shape_of_nodes(const std::vector<dealii::Point<dim>>&)
-THELMA_INSTANTIATE(2);
-THELMA_INSTANTIATE(3);
+template std::uint8_t face_vertices<2>(unsigned int);
+template std::vector<unsigned int> sorted_vertices(const dealii::CellData<2>&, std::uint8_t);
+template void turn_negative(const std::vector<dealii::Point<2>>&,
+                            std::vector<dealii::CellData<2>>&);
+template std::vector<dealii::Point<2>> quadratic_nodes(const dealii::CellData<2>&,
+                                                       const std::vector<dealii::Point<2>>&,
+                                                       const Middles<dealii::Point<2>>&);
+template double shape_of_corners(const std::vector<dealii::Point<2>>&);
+template double shape_of_nodes(const std::vector<dealii::Point<2>>&);
+
+template std::uint8_t face_vertices<3>(unsigned int);
+template std::vector<unsigned int> sorted_vertices(const dealii::CellData<3>&, std::uint8_t);
+template void turn_negative(const std::vector<dealii::Point<3>>&,
+                            std::vector<dealii::CellData<3>>&);
+template std::vector<dealii::Point<3>> quadratic_nodes(const dealii::CellData<3>&,
+                                                       const std::vector<dealii::Point<3>>&,
+                                                       const Middles<dealii::Point<3>>&);
+template double shape_of_corners(const std::vector<dealii::Point<3>>&);
+template double shape_of_nodes(const std::vector<dealii::Point<3>>&);
 
 } // namespace thelma
