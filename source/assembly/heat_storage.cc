@@ -17,10 +17,10 @@ void HeatStorage<dim>::setup(const DofLayout<dim>& layout,
     return;
   block = layout.block(Field::temperature);
   capacities = layout.new_vector();
-  add_nodal_integrals<dim>(
-      layout, Field::temperature,
-      [](const Cell<dim>& cell, const dealii::Point<dim>&) { return cell.material->thermal.c; },
-      capacities);
+  const auto capacity = [](const Cell<dim>& cell) -> Density<dim> {
+    return [c = cell.material->thermal.c](unsigned int, const dealii::Point<dim>&) { return c; };
+  };
+  add_integrals<dim>(layout, nodal_rule<dim>(layout), Field::temperature, capacity, capacities);
   capacities.compress(dealii::VectorOperation::add);
   const auto begin = capacities.get_block_indices().block_start(block);
   const auto& nodes = *capacities.block(block).get_partitioner();

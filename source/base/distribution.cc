@@ -4,6 +4,7 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <regex>
 
@@ -84,7 +85,36 @@ double Distribution<dim>::operator()(const unsigned int component, const dealii:
   return formulas.empty() ? numbers[component] : formulas[component]->at(X, time);
 }
 
+template <int dim>
+void add_distributions(dealii::ParameterHandler& prm, const std::string& entry,
+                       Distributions<dim>& values, const std::string& sentence,
+                       const unsigned int n, const std::string& unit)
+{
+  using namespace dealii::Patterns;
+  using Texts = std::map<std::string, std::string>;
+  prm.declare_entry(entry, "", Map(Anything(), Anything(), 0, 100),
+                    sentence + ". " + Distribution<dim>::sentence + ". Unit: " + unit + ".");
+  prm.add_action(entry, [&values, n, unit](const std::string& text) {
+    values.clear();
+    for (const auto& [name, components] : Tools::Convert<Texts>::to_value(text))
+      values.emplace(name, Distribution<dim>(components, n, unit));
+  });
+}
+
+template <int dim>
+bool change_in_time(const Distributions<dim>& values)
+{
+  return std::any_of(values.begin(), values.end(),
+                     [](const auto& value) { return value.second.changes_in_time(); });
+}
+
 template class Distribution<2>;
 template class Distribution<3>;
+template void add_distributions(dealii::ParameterHandler&, const std::string&, Distributions<2>&,
+                                const std::string&, unsigned int, const std::string&);
+template void add_distributions(dealii::ParameterHandler&, const std::string&, Distributions<3>&,
+                                const std::string&, unsigned int, const std::string&);
+template bool change_in_time(const Distributions<2>&);
+template bool change_in_time(const Distributions<3>&);
 
 } // namespace thelma

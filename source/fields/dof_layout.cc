@@ -38,15 +38,13 @@ void DofLayout<dim>::setup(const Mesh<dim>& mesh, const MaterialLibrary& materia
 {
   const std::vector<std::string>& regions = mesh.regions();
   InputErrors errors;
-  const auto require_region = [&](const std::string& entry, const std::string& name) {
-    if (std::find(regions.begin(), regions.end(), name) == regions.end())
-      errors.add("section Regions, entry '" + entry + "': the mesh has no region '" + name + "'" +
-                 did_you_mean(name, regions));
+  const auto require_regions = [&](const std::string& entry, const auto& names) {
+    for (const std::string& name : names)
+      errors.collect(
+          [&]() { require_region(mesh, name, "section Regions, entry '" + entry + "'"); });
   };
-  for (const std::string& name : passive_regions)
-    require_region("Passive", name);
-  for (const std::string& name : materials.regions())
-    require_region("Materials", name);
+  require_regions("Passive", passive_regions);
+  require_regions("Materials", materials.regions());
   errors.raise(); // a region whose name is misspelt has no material
   for (const std::string& name : regions)
     errors.collect([&]() { materials.of_region(name); });

@@ -6,7 +6,6 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
 
 #include <cmath>
 
@@ -16,15 +15,9 @@ namespace thelma
 template <int dim>
 void DensityLoad<dim>::declare(dealii::ParameterHandler& prm)
 {
-  using namespace dealii::Patterns;
   const Section section(prm, {kind.entry.section});
-  prm.add_parameter(kind.entry.name, texts,
-                    kind.sentence + ", as `" + kind.example + "`. " + Distribution<dim>::sentence +
-                        ". Unit: " + kind.unit + ".",
-                    Map(Anything(), Anything(), 0, 100));
-  check_values(prm, kind.entry.name, [this](const std::string& text) {
-    Distribution<dim>(text, n_components(), kind.unit);
-  });
+  add_distributions(prm, kind.entry.name, densities, kind.sentence + ", as `" + kind.example + "`",
+                    n_components(), kind.unit);
 }
 
 template <int dim>
@@ -37,25 +30,21 @@ void DensityLoad<dim>::setup(const LoadInput<dim>& input)
   if (!layout->has(kind.field))
     throw InputError(entry().place() + ": every region is passive, so there is no potential; "
                                        "remove the charges or make a region active");
-  bool in_time = false;
-  densities.clear();
   InputErrors errors;
-  for (const auto& [name, text] : texts)
-    errors.collect([&, &name = name, &text = text]() {
+  for (const auto& density : densities)
+    errors.collect([&]() {
       if (kind.on == DensityKind::On::regions)
-        require_region(*mesh, name, entry().place());
-      require_field(name);
-      const Distribution<dim>& density =
-          densities.emplace(name, Distribution<dim>(text, n_components(), kind.unit)).first->second;
-      in_time = in_time || density.changes_in_time();
+        require_region(*mesh, density.first, entry().place());
+      require_field(density.first);
     });
   errors.raise();
-  forces.setup(entry(), *layout, in_time, [this](const double time, BlockVector& nodal) {
-    if (kind.on == DensityKind::On::regions)
-      integrate_regions(time, nodal);
-    else
-      integrate_surfaces(time, nodal);
-  });
+  forces.setup(entry(), *layout, change_in_time(densities),
+               [this](const double time, BlockVector& nodal) {
+                 if (kind.on == DensityKind::On::regions)
+                   integrate_regions(time, nodal);
+                 else
+                   integrate_surfaces(time, nodal);
+               });
 }
 
 template <int dim>
@@ -81,29 +70,13 @@ void DensityLoad<dim>::require_field(const std::string& name) const
 template <int dim>
 void DensityLoad<dim>::integrate_regions(const double time, BlockVector& nodal) const
 {
-  const double sign = kind.field == Field::potential ? -1. : 1.;
-  dealii::FEValues<dim> values(
-      layout->mapping(), layout->scalar_element(), dealii::QGauss<dim>(layout->degree() + 1),
-      dealii::update_values | dealii::update_JxW_values | dealii::update_quadrature_points);
-  for (const Cell<dim>& cell : layout->cells()) {
-    const auto found = densities.find(mesh->region_of(cell.iterator));
-    if (found == densities.end())
-      continue;
-    values.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell.iterator));
-    for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
-      for (unsigned int c = 0; c < n_components(); ++c) {
-        const dealii::Point<dim>& X = values.quadrature_point(q);
-        const double amount = sign * layout->depth(X) * values.JxW(q) * found->second(c, X, time);
-        for (unsigned int a = 0; a < values.dofs_per_cell; ++a)
-          nodal(cell.dofs[cell.unknown(a, kind.field) + c]) += amount * values.shape_value(a, q);
-      }
-  }
+  add_integrals<dim>(*layout, dealii::QGauss<dim>(layout->degree() + 1), kind.field,
+                     densities_at(time, densities, *mesh, sign()), nodal);
 }
 
 template <int dim>
 void DensityLoad<dim>::integrate_surfaces(const double time, BlockVector& nodal) const
 {
-  const double sign = kind.field == Field::potential ? -1. : 1.;
   const unsigned int first = (*layout)[kind.field].component;
   for (const auto& [name, density] : densities)
     for_each_outer_face(
@@ -112,7 +85,7 @@ void DensityLoad<dim>::integrate_surfaces(const double time, BlockVector& nodal)
           for (unsigned int q = 0; q < face.values.n_quadrature_points; ++q)
             for (unsigned int c = 0; c < n_components(); ++c) {
               const double amount =
-                  sign * face.area(q) * density(c, face.values.quadrature_point(q), time);
+                  sign() * face.area(q) * density(c, face.values.quadrature_point(q), time);
               for (unsigned int a = 0; a < face.values.dofs_per_cell; ++a)
                 if (const double part = face.values.shape_value(a, q); std::abs(part) > 0.)
                   nodal(face.unknown(a, first + c)) += amount * part;

@@ -1,12 +1,12 @@
 #include <thelma/base/distribution.h>
 #include <thelma/base/error.h>
 #include <thelma/base/parameters.h>
+#include <thelma/fields/nodal_quadrature.h>
 #include <thelma/loads/load_list.h>
 #include <thelma/loads/nodal_forces.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
-#include <deal.II/fe/fe_values.h>
 
 #include <optional>
 
@@ -66,21 +66,14 @@ private:
   void integrate(const double time, BlockVector& nodal) const
   {
     constexpr double unit = 9.80665 * 1e-9; // of one kg/m^3 in N/mm^3
-    dealii::FEValues<dim> values(
-        layout->mapping(), layout->scalar_element(), dealii::QGauss<dim>(layout->degree() + 1),
-        dealii::update_values | dealii::update_JxW_values | dealii::update_quadrature_points);
-    for (const Cell<dim>& cell : layout->cells()) {
-      values.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell.iterator));
-      for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
-        for (unsigned int d = 0; d < dim; ++d) {
-          const dealii::Point<dim>& X = values.quadrature_point(q);
-          const double weight = unit * cell.material->density * layout->depth(X) * values.JxW(q) *
-                                (*multiples)(d, X, time);
-          for (unsigned int a = 0; a < values.dofs_per_cell; ++a)
-            nodal(cell.dofs[cell.unknown(a, Field::displacement) + d]) +=
-                weight * values.shape_value(a, q);
-        }
-    }
+    const auto weight_of = [&](const Cell<dim>& cell) -> Density<dim> {
+      return [&, weight = unit * cell.material->density](const unsigned int c,
+                                                         const dealii::Point<dim>& X) {
+        return weight * (*multiples)(c, X, time);
+      };
+    };
+    add_integrals<dim>(*layout, dealii::QGauss<dim>(layout->degree() + 1), Field::displacement,
+                       weight_of, nodal);
   }
 
   std::optional<Distribution<dim>> multiples; ///< of g

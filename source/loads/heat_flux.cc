@@ -5,8 +5,6 @@
 #include <thelma/loads/load_list.h>
 #include <thelma/loads/nodal_forces.h>
 
-#include <map>
-
 namespace thelma
 {
 namespace
@@ -20,14 +18,10 @@ public:
   void declare(dealii::ParameterHandler& prm) override
   {
     const Section section(prm, {"Heat"});
-    prm.add_parameter(
-        "Flux", texts,
-        "Heat flux into the body through surfaces, per area of the undeformed surface, as "
-        "`outer: 0.5`. " +
-            std::string(Distribution<dim>::sentence) + ". Unit: mW/mm^2.",
-        dealii::Patterns::Map(dealii::Patterns::Anything(), dealii::Patterns::Anything(), 0, 100));
-    check_values(prm, "Flux",
-                 [](const std::string& text) { Distribution<dim>(text, 1, "mW/mm^2"); });
+    add_distributions(prm, "Flux", fluxes,
+                      "Heat flux into the body through surfaces, per area of the undeformed "
+                      "surface, as `outer: 0.5`",
+                      1, "mW/mm^2");
   }
 
   void setup(const LoadInput<dim>& input) override
@@ -37,18 +31,11 @@ public:
     if (!is_present())
       return;
     mesh = &input.mesh;
-    bool in_time = false;
-    fluxes.clear();
-    for (const auto& [name, text] : texts) {
-      const Distribution<dim>& given =
-          fluxes.emplace(name, Distribution<dim>(text, 1, "mW/mm^2")).first->second;
-      in_time = in_time || given.changes_in_time();
-    }
-    powers.setup(entry(), *this->layout, in_time,
+    powers.setup(entry(), *this->layout, change_in_time(fluxes),
                  [this](const double time, BlockVector& nodal) { integrate(time, nodal); });
   }
 
-  bool is_present() const override { return !texts.empty(); }
+  bool is_present() const override { return !fluxes.empty(); }
   SceneEntry entry() const override { return {"Heat", "Flux"}; }
   AmplitudeEntry amplitude() const override { return heat_amplitude; }
   bool acts_at_once() const override { return false; }
@@ -70,8 +57,7 @@ private:
                           });
   }
 
-  std::map<std::string, std::string> texts;
-  std::map<std::string, Distribution<dim>> fluxes; ///< mW/mm^2
+  Distributions<dim> fluxes; ///< mW/mm^2
   const Mesh<dim>* mesh = nullptr;
   NodalForces<dim> powers; ///< mW
 };

@@ -5,8 +5,6 @@
 #include <thelma/loads/load_list.h>
 #include <thelma/loads/nodal_forces.h>
 
-#include <map>
-
 namespace thelma
 {
 namespace
@@ -20,13 +18,9 @@ public:
   void declare(dealii::ParameterHandler& prm) override
   {
     const Section section(prm, {"Heat"});
-    prm.add_parameter(
-        "Source", texts,
-        "Heat source R of regions, per undeformed volume, as `film: 0.5`. " +
-            std::string(Distribution<dim>::sentence) + ". Unit: mW/mm^3.",
-        dealii::Patterns::Map(dealii::Patterns::Anything(), dealii::Patterns::Anything(), 0, 100));
-    check_values(prm, "Source",
-                 [](const std::string& text) { Distribution<dim>(text, 1, "mW/mm^3"); });
+    add_distributions(prm, "Source", sources,
+                      "Heat source R of regions, per undeformed volume, as `film: 0.5`", 1,
+                      "mW/mm^3");
   }
 
   void setup(const LoadInput<dim>& input) override
@@ -36,19 +30,13 @@ public:
     if (!is_present())
       return;
     mesh = &input.mesh;
-    bool in_time = false;
-    sources.clear();
-    for (const auto& [name, text] : texts) {
-      require_region(*mesh, name, entry().place());
-      const Distribution<dim>& given =
-          sources.emplace(name, Distribution<dim>(text, 1, "mW/mm^3")).first->second;
-      in_time = in_time || given.changes_in_time();
-    }
-    powers.setup(entry(), *this->layout, in_time,
+    for (const auto& source : sources)
+      require_region(*mesh, source.first, entry().place());
+    powers.setup(entry(), *this->layout, change_in_time(sources),
                  [this](const double time, BlockVector& nodal) { integrate(time, nodal); });
   }
 
-  bool is_present() const override { return !texts.empty(); }
+  bool is_present() const override { return !sources.empty(); }
   SceneEntry entry() const override { return {"Heat", "Source"}; }
   AmplitudeEntry amplitude() const override { return heat_amplitude; }
   bool acts_at_once() const override { return false; }
@@ -62,17 +50,11 @@ public:
 private:
   void integrate(const double time, BlockVector& nodal) const
   {
-    add_nodal_integrals<dim>(
-        *this->layout, Field::temperature,
-        [&](const Cell<dim>& cell, const dealii::Point<dim>& X) {
-          const auto found = sources.find(mesh->region_of(cell.iterator));
-          return found == sources.end() ? 0. : found->second(0, X, time);
-        },
-        nodal);
+    add_integrals<dim>(*this->layout, nodal_rule<dim>(*this->layout), Field::temperature,
+                       densities_at(time, sources, *mesh), nodal);
   }
 
-  std::map<std::string, std::string> texts;
-  std::map<std::string, Distribution<dim>> sources; ///< mW/mm^3
+  Distributions<dim> sources; ///< mW/mm^3
   const Mesh<dim>* mesh = nullptr;
   NodalForces<dim> powers; ///< mW
 };

@@ -1,19 +1,25 @@
 #include <thelma/base/error.h>
 #include <thelma/loads/nodal_forces.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace thelma
 {
 
 template <int dim>
-void require_region(const Mesh<dim>& mesh, const std::string& name, const std::string& place)
+std::function<Density<dim>(const Cell<dim>&)>
+densities_at(const double time, const Distributions<dim>& densities, const Mesh<dim>& mesh,
+             const double factor)
 {
-  const auto& regions = mesh.regions();
-  if (std::find(regions.begin(), regions.end(), name) == regions.end())
-    throw InputError(place + ": the mesh has no region '" + name + "'" +
-                     did_you_mean(name, regions));
+  return [&mesh, &densities, time, factor](const Cell<dim>& cell) -> Density<dim> {
+    const auto found = densities.find(mesh.region_of(cell.iterator));
+    if (found == densities.end())
+      return {};
+    return [&density = found->second, time, factor](const unsigned int c,
+                                                    const dealii::Point<dim>& X) {
+      return factor * density(c, X, time);
+    };
+  };
 }
 
 template <int dim>
@@ -51,8 +57,10 @@ void NodalForces<dim>::integrate_at(const double time) const
                      "; write an expression that is");
 }
 
-template void require_region(const Mesh<2>&, const std::string&, const std::string&);
-template void require_region(const Mesh<3>&, const std::string&, const std::string&);
+template std::function<Density<2>(const Cell<2>&)> densities_at(double, const Distributions<2>&,
+                                                                const Mesh<2>&, double);
+template std::function<Density<3>(const Cell<3>&)> densities_at(double, const Distributions<3>&,
+                                                                const Mesh<3>&, double);
 template class NodalForces<2>;
 template class NodalForces<3>;
 

@@ -263,7 +263,18 @@ std::vector<std::string> Mesh<dim>::surface_names() const
   return names;
 }
 
+template <int dim>
+void require_region(const Mesh<dim>& mesh, const std::string& name, const std::string& place)
+{
+  const std::vector<std::string>& regions = mesh.regions();
+  if (std::find(regions.begin(), regions.end(), name) == regions.end())
+    throw InputError(place + ": the mesh has no region '" + name + "'" +
+                     did_you_mean(name, regions));
+}
+
 template class Mesh<2>;
 template class Mesh<3>;
+template void require_region(const Mesh<2>&, const std::string&, const std::string&);
+template void require_region(const Mesh<3>&, const std::string&, const std::string&);
 
 } // namespace thelma

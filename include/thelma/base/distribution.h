@@ -2,6 +2,9 @@
 
 #include <thelma/base/formula.h>
 
+#include <deal.II/base/parameter_handler.h>
+
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,5 +38,19 @@ private:
   std::vector<std::shared_ptr<Formula<dim>>> formulas; ///< in place of numbers
   bool in_time = false;
 };
+
+/// Those of regions or surfaces, by their names.
+template <int dim>
+using Distributions = std::map<std::string, Distribution<dim>>;
+
+/// Declare the @p entry, `name: components, name: components`, each of @p n in the @p unit; the
+/// @p sentence need not name that.
+template <int dim>
+void add_distributions(dealii::ParameterHandler& prm, const std::string& entry,
+                       Distributions<dim>& values, const std::string& sentence, unsigned int n,
+                       const std::string& unit);
+
+template <int dim>
+bool change_in_time(const Distributions<dim>& values);
 
 } // namespace thelma

@@ -13,7 +13,7 @@ namespace thelma
 {
 
 /// The quadrature of @p d dimensions whose points are the nodes; but in bodies of revolution at
-/// degree 1 Gauss's, which leaves nodes on the axis their share.
+/// degree 1 Gauss's, which leaves nodes on the axis their share (theory.md, eq. 37).
 template <int d, int dim>
 dealii::Quadrature<d> nodal_rule(const DofLayout<dim>& layout)
 {
@@ -23,19 +23,21 @@ dealii::Quadrature<d> nodal_rule(const DofLayout<dim>& layout)
   return dealii::QGaussLobatto<d>(n_points);
 }
 
-/// Add to the entries of @p field in @p nodal the integrals of @p density(cell, point of the
-/// undeformed body) times their shape functions, by nodal_rule() (theory.md, eq. 37);
-/// compress(add) comes later.
+/// The component of a density at a point of the undeformed body.
 template <int dim>
-void add_nodal_integrals(
-    const DofLayout<dim>& layout, Field field,
-    const std::function<double(const Cell<dim>&, const dealii::Point<dim>&)>& density,
-    BlockVector& nodal);
+using Density = std::function<double(unsigned int component, const dealii::Point<dim>&)>;
+
+/// Add to the entries of @p field in @p nodal the integrals of the density that each cell has, if
+/// any, times their shape functions by this @p rule; compress(add) comes later.
+template <int dim>
+void add_integrals(const DofLayout<dim>& layout, const dealii::Quadrature<dim>& rule, Field field,
+                   const std::function<Density<dim>(const Cell<dim>&)>& density_of,
+                   BlockVector& nodal);
 
 /// Call @p visit(unknown of @p field, part of its area in mm^2, in plane strain mm, point of the
-/// undeformed body) for the nodes of each outer face of the surface @p name, by the same
-/// quadrature. Throws InputError, with @p place in the sentence, for an unknown name and for a
-/// surface inside of the body, for which @p only tells what is allowed outside alone.
+/// undeformed body) for the nodes of each outer face of the surface @p name, by nodal_rule().
+/// Throws InputError, with @p place in the sentence, for an unknown name and for a surface inside
+/// of the body, for which @p only tells what is allowed outside alone.
 template <int dim, typename Visitor>
 void for_each_nodal_area(const Mesh<dim>& mesh, const DofLayout<dim>& layout,
                          const std::string& name, const std::string& place, const Field field,

@@ -3,7 +3,6 @@
 #include <thelma/base/distribution.h>
 #include <thelma/loads/nodal_forces.h>
 
-#include <map>
 #include <string>
 
 namespace thelma
@@ -31,7 +30,7 @@ public:
   void declare(dealii::ParameterHandler& prm) override;
   void setup(const LoadInput<dim>& input) override;
 
-  bool is_present() const override { return !texts.empty(); }
+  bool is_present() const override { return !densities.empty(); }
   SceneEntry entry() const override { return kind.entry; }
   Field acts_on() const override { return kind.field; }
   bool is_dead() const override { return kind.field == Field::displacement; }
@@ -49,6 +48,9 @@ public:
 
 private:
   unsigned int n_components() const { return kind.field == Field::displacement ? dim : 1; }
+
+  /// Forces of potentials are minus charges.
+  double sign() const { return kind.field == Field::potential ? -1. : 1.; }
   void integrate_regions(double time, BlockVector& nodal) const;
   void integrate_surfaces(double time, BlockVector& nodal) const;
 
@@ -56,8 +58,7 @@ private:
   void require_field(const std::string& name) const;
 
   DensityKind kind;
-  std::map<std::string, std::string> texts;
-  std::map<std::string, Distribution<dim>> densities;
+  Distributions<dim> densities;
   const Mesh<dim>* mesh = nullptr;
   const DofLayout<dim>* layout = nullptr;
   NodalForces<dim> forces;

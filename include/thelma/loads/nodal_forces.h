@@ -1,5 +1,7 @@
 #pragma once
 
+#include <thelma/base/distribution.h>
+#include <thelma/fields/nodal_quadrature.h>
 #include <thelma/loads/load.h>
 
 #include <functional>
@@ -8,10 +10,11 @@
 namespace thelma
 {
 
-/// Throws InputError, with the @p place in the sentence, where no region of the @p mesh has the
-/// @p name.
+/// The densities of the regions of the @p mesh at a time, times a @p factor.
 template <int dim>
-void require_region(const Mesh<dim>& mesh, const std::string& name, const std::string& place);
+std::function<Density<dim>(const Cell<dim>&)>
+densities_at(double time, const Distributions<dim>& densities, const Mesh<dim>& mesh,
+             double factor = 1.);
 
 /// Nodal forces that do not depend on the iterate: integrated once or, where they change in time,
 /// whenever it has moved on.

@@ -108,4 +108,9 @@ private:
   std::map<std::string, std::vector<Entity>> surfaces;
 };
 
+/// Throws InputError, with the @p place in the sentence, where no region of the @p mesh has the
+/// @p name.
+template <int dim>
+void require_region(const Mesh<dim>& mesh, const std::string& name, const std::string& place);
+
 } // namespace thelma
