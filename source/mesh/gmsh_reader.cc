@@ -4,8 +4,8 @@
 #include <thelma/mesh/gmsh_elements.h>
 #include <thelma/mesh/gmsh_parameters.h>
 #include <thelma/mesh/gmsh_reader.h>
-#include <thelma/mesh/halving.h>
 #include <thelma/mesh/physical_groups.h>
+#include <thelma/mesh/subdivision.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
@@ -145,20 +145,13 @@ void drop_unused_vertices(CoarseMesh& mesh, const int dim)
   mesh.middles = middles;
 }
 
-bool has_elements()
-{
-  std::vector<int> types;
-  gmsh::model::mesh::getElementTypes(types);
-  return !types.empty();
-}
-
 void require_dimension(const std::string& file, const int dim)
 {
   const bool is_solid = gmsh::model::getDimension() == 3;
   if (dim == 2 && is_solid)
     throw InputError("section Mesh, entry 'File': '" + file +
                      "' has volumes, but the scene is two-dimensional; write `set Dimension = 3`");
-  if (!has_elements())
+  if (element_order() == 0)
     throw InputError("section Mesh, entry 'File': '" + file +
                      "' has no cells; mesh it, or save the mesh again");
   gmsh::vectorpair groups;
@@ -223,7 +216,7 @@ CoarseMesh read_here(const GmshRequest& request, const int dim)
     set_parameters(request.file, request.parameters);
     open(request.file, "Parameters"); // what is wrong now was not without them
   }
-  const bool is_mesh = has_elements();
+  const bool is_mesh = element_order() > 0;
   generate(request, dim);
   require_dimension(request.file, dim);
 
@@ -238,11 +231,11 @@ CoarseMesh read_here(const GmshRequest& request, const int dim)
     throw InputError("section Mesh, entry 'Curved': the cells of '" + request.file +
                      "' are quadratic and so curved already; write `as meshed`, or mesh it with "
                      "Mesh.ElementOrder = 1");
-  if (is_mesh && request.is_subdivided)
-    for (unsigned int i = 0; i < 1 + (request.around.empty() ? request.refinements : 0); ++i)
-      mesh = subdivided(mesh);
-  for (unsigned int i = 0; i < request.refinements && !request.around.empty(); ++i)
-    mesh = halved(mesh, request.around);
+  const bool is_cut_here = is_mesh && request.is_subdivided;
+  if (is_cut_here)
+    mesh = subdivided(mesh, "");
+  for (unsigned int i = 0; i < request.refinements && (is_cut_here || !request.around.empty()); ++i)
+    mesh = subdivided(mesh, request.around);
   return mesh;
 }
 

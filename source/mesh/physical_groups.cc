@@ -1,5 +1,6 @@
 #include <thelma/base/input_errors.h>
 #include <thelma/base/wording.h>
+#include <thelma/mesh/gmsh_elements.h>
 #include <thelma/mesh/physical_groups.h>
 
 #include <gmsh.h>
@@ -153,20 +154,20 @@ std::string remedy(const PhysicalGroup& group, const int order, const bool is_su
 struct ElementType {
   ElementType(const int type, const bool is_subdivided)
   {
-    std::string name;
-    int dimension = 0, n_primary = 0;
-    std::vector<double> at;
-    gmsh::model::mesh::getElementProperties(type, name, dimension, order, n_nodes, at, n_primary);
+    const ElementProperties properties(type);
+    const std::vector<double>& at = properties.at;
+    const int dimension = properties.dimension, n_corners = properties.n_corners;
+    order = properties.order;
+    n_nodes = properties.n_nodes;
     static const std::set<std::string> boxes{"Point", "Line", "Quadrilateral", "Hexahedron"};
     static const std::set<std::string> others{"Triangle", "Tetrahedron", "Prism"};
-    const std::string shape = name.substr(0, name.find(' '));
-    is_known = (order <= 2 && boxes.count(shape) == 1) ||
-               (order == 1 && is_subdivided && others.count(shape) == 1);
+    is_known = (order <= 2 && boxes.count(properties.shape) == 1) ||
+               (order == 1 && is_subdivided && others.count(properties.shape) == 1);
     for (int node = 0; node < n_nodes; ++node) {
       corners.emplace_back();
-      if (node < n_primary)
+      if (node < n_corners)
         corners.back().push_back(node);
-      for (int corner = 0; node >= n_primary && corner < n_primary; ++corner) {
+      for (int corner = 0; node >= n_corners && corner < n_corners; ++corner) {
         bool is_end = true;
         for (int d = 0; d < dimension; ++d)
           is_end = is_end && (at[node * dimension + d] == 0. ||

@@ -46,6 +46,8 @@ MISUSED = {"Mesh.ScalingFactor = 1000": {"Mesh/File": "metres.geo", "Mesh/Unit":
            "not a unit of length": {"Mesh/Unit": "kV"},
            "are of order 2": {"Mesh/File": "second_order.msh",
                                                              "Mesh/Refinements": "1"},
+           "too many for the memory": {"Mesh/File": "triangles.msh", "Mesh/Cells": "subdivided",
+                                       "Mesh/Refinements": "14"},
            "quadratic and so curved": {"Mesh/File": "arcs.msh", "Mesh/Curved": "around x2"}}
 WARNED = {"apart.msh": "2 nodes of 'film' and 'film'"}
 

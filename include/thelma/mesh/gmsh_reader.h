@@ -47,7 +47,7 @@ struct GmshRequest {
   double unit = 1.;             ///< of its lengths, in mm
   bool is_subdivided = false;   ///< cut triangles into quadrilaterals, tetrahedra into hexahedra
   unsigned int refinements = 0; ///< how often to halve every cell along each direction
-  std::string around;           ///< an axis or the origin if edges are arcs, see halved()
+  std::string around;           ///< an axis or the origin if edges are arcs, see subdivided()
 };
 
 /// Mesh the geometry in a process of its own, as some geometries crash gmsh. @p dim 2 wants

@@ -1,9 +1,8 @@
-#include <thelma/mesh/halving.h>
+#include <thelma/mesh/subdivision.h>
 
 #include <deal.II/base/tensor.h>
 
 #include <algorithm>
-#include <functional>
 
 namespace thelma
 {
@@ -46,9 +45,9 @@ Vertex arc_middle(const std::vector<Vertex>& points, const std::string& around)
 class Vertices
 {
 public:
-  using Middle = std::function<Vertex(const std::vector<Vertex>&)>;
-
-  Vertices(const CoarseMesh& mesh, Middle middle) : all(mesh.vertices), middle(std::move(middle)) {}
+  Vertices(const CoarseMesh& mesh, const std::string& around) : all(mesh.vertices), around(around)
+  {
+  }
 
   /// The vertex in the middle of @p corners, or the only one.
   unsigned int between(std::vector<unsigned int> corners)
@@ -61,7 +60,7 @@ public:
       std::vector<Vertex> points;
       for (const unsigned int corner : corners)
         points.push_back(all[corner]);
-      all.push_back(middle(points));
+      all.push_back(around.empty() ? mean(points) : arc_middle(points, around));
     }
     return found->second;
   }
@@ -69,27 +68,9 @@ public:
   std::vector<Vertex> all;
 
 private:
-  Middle middle;
+  std::string around;
   std::map<std::vector<unsigned int>, unsigned int> known;
 };
-
-/// Of the halves of @p element, that at its corner @p half. Corners are counted by bits here, a
-/// direction each; gmsh counts those of a face around it, which `order` turns into bits and back.
-std::vector<unsigned int> piece(const std::vector<unsigned int>& element, const unsigned int half,
-                                Vertices& vertices)
-{
-  constexpr std::array<unsigned int, 8> order{{0, 1, 3, 2, 4, 5, 7, 6}};
-  const unsigned int n = static_cast<unsigned int>(element.size());
-  std::vector<unsigned int> corners(n);
-  for (unsigned int v = 0; v < n; ++v) {
-    std::vector<unsigned int> parents; // as far away as v from the corner, which both keep
-    for (unsigned int p = 0; p < n; ++p)
-      if (((p ^ half) & ~(v ^ half)) == 0)
-        parents.push_back(element[order[p]]);
-    corners[order[v]] = vertices.between(parents);
-  }
-  return corners;
-}
 
 using Faces = std::vector<std::vector<unsigned int>>;
 
@@ -162,42 +143,21 @@ std::vector<std::vector<unsigned int>> pieces(const std::vector<unsigned int>& e
   return result;
 }
 
-/// Each element of @p mesh in place of itself the pieces that @p cut(element, dimension) makes.
-template <typename Cut>
-CoarseMesh replaced(const CoarseMesh& mesh, const Vertices& vertices, const Cut& cut)
+} // namespace
+
+CoarseMesh subdivided(const CoarseMesh& mesh, const std::string& around)
 {
+  Vertices vertices(mesh, around);
   CoarseMesh fine{{}, mesh.groups, {}};
   for (PhysicalGroup& group : fine.groups) {
     std::vector<std::vector<unsigned int>> elements;
     for (const auto& element : group.elements)
-      for (const auto& part : cut(element, group.dimension))
-        elements.push_back(part);
+      for (const auto& piece : pieces(element, group.dimension, vertices))
+        elements.push_back(piece);
     group.elements = elements;
   }
   fine.vertices = vertices.all;
   return fine;
-}
-
-} // namespace
-
-CoarseMesh halved(const CoarseMesh& mesh, const std::string& around)
-{
-  Vertices vertices(mesh,
-                    [&](const std::vector<Vertex>& points) { return arc_middle(points, around); });
-  return replaced(mesh, vertices, [&](const std::vector<unsigned int>& element, int) {
-    std::vector<std::vector<unsigned int>> halves;
-    for (unsigned int half = 0; half < element.size(); ++half)
-      halves.push_back(piece(element, half, vertices));
-    return halves;
-  });
-}
-
-CoarseMesh subdivided(const CoarseMesh& mesh)
-{
-  Vertices vertices(mesh, mean);
-  return replaced(mesh, vertices, [&](const std::vector<unsigned int>& element, const int d) {
-    return pieces(element, d, vertices);
-  });
 }
 
 } // namespace thelma

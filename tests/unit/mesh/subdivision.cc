@@ -1,6 +1,6 @@
 // Cells between arcs, halved: every vertex lies where the arcs say.
 
-#include <thelma/mesh/halving.h>
+#include <thelma/mesh/subdivision.h>
 #include <thelma/mesh/whole_mesh.h>
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ bool is_multiple(const double x, const double step)
   return std::abs(x / step - std::round(x / step)) < 1e-13;
 }
 
-TEST(Halving, KeepsArcsAroundEachAxis)
+TEST(Subdivision, KeepsArcsAroundEachAxis)
 {
   for (int k = 0; k < 3; ++k) {
     const auto place = [k](const double r, const double angle, const double z) {
@@ -49,7 +49,7 @@ TEST(Halving, KeepsArcsAroundEachAxis)
       return x;
     };
     const std::string around = "x" + std::to_string(k + 1);
-    const CoarseMesh fine = halved(halved(wedge(place), around), around);
+    const CoarseMesh fine = subdivided(subdivided(wedge(place), around), around);
     EXPECT_EQ(fine.vertices.size(), 125U);
     for (const auto& x : fine.vertices) {
       EXPECT_TRUE(is_multiple(std::hypot(x[(k + 1) % 3], x[(k + 2) % 3]), 0.25));
@@ -65,14 +65,14 @@ TEST(Halving, KeepsArcsAroundEachAxis)
   }
 }
 
-TEST(Halving, KeepsSpheres)
+TEST(Subdivision, KeepsSpheres)
 {
   const auto place = [](const double r, const double angle, const double z) {
     const double height = z * 45. * degree;
     return std::array<double, 3>{{r * std::cos(height) * std::cos(angle),
                                   r * std::cos(height) * std::sin(angle), r * std::sin(height)}};
   };
-  const CoarseMesh fine = halved(wedge(place), "the origin");
+  const CoarseMesh fine = subdivided(wedge(place), "the origin");
   EXPECT_EQ(fine.vertices.size(), 27U);
   for (const auto& x : fine.vertices)
     EXPECT_TRUE(is_multiple(std::hypot(x[0], x[1], x[2]), 0.5));
